@@ -76,7 +76,7 @@ struct DecomposeRequest {
   ReachUse merge = ReachUse::None;
   /// > 0. Of the solid, or of the surface if it is open. Without: kDefaultDistance.
   std::optional<ConcavityLimit> distance = {};
-  Close close = Close::Auto;  ///< Of a surface for a guard, or for merging by reach.
+  Close close = Close::Auto;             ///< Of a surface for a guard, or for merging by reach.
   CutEffort effort = CutEffort::Normal;  ///< Of Cut.
   /// Of Cut: how much larger the parts' volumes together may be than the solid's, as a share of it;
   /// >= 0. The excess, and what parts overlap, are within it.
@@ -125,8 +125,8 @@ struct Part {
   std::vector<TriangleId> owns;     ///< Ascending. Every triangle has one owner.
   std::vector<TriangleId> cluster;  ///< That it was made of: `owns` and perhaps fewer.
   /// Of Cut: the leaves of the partition whose hulls it holds, ascending; each leaf has one part.
-  /// Then `owns` are the triangles that lie in these leaves, and a triangle that planes cut may have
-  /// no owner.
+  /// Then `owns` are the triangles that lie in these leaves, and a triangle that planes cut may
+  /// have no owner.
   std::vector<std::uint32_t> leaves = {};
   /// Of `surface.unused`: they go where they are nearest to the clusters' hulls. Each point has one
   /// part.
@@ -183,10 +183,10 @@ struct Decomposition {
   std::size_t caps = 0;              ///< That closed it, as in ClosedSurface.
   Rational squared_largest_cap = 0;  ///< The squared diagonal of the box of the largest border.
   std::variant<Clustering, SplitTree, Partition> origin;  ///< Where the parts come from.
-  std::vector<Part> parts;                     ///< In the order of the lowest triangles of their
-                                               ///< clusters.
-  std::vector<std::uint32_t> owner;            ///< By triangle: into `parts`, or kNoOwner.
-  std::vector<InnerCluster> inner;             ///< Clusters that were dropped.
+  std::vector<Part> parts;           ///< In the order of the lowest triangles of their
+                                     ///< clusters.
+  std::vector<std::uint32_t> owner;  ///< By triangle: into `parts`, or kNoOwner.
+  std::vector<InnerCluster> inner;   ///< Clusters that were dropped.
   std::vector<TriangleId>
       flat_merged;                   ///< Flat clusters that joined a neighbour (FlatParts::Merge).
   bool limit_holds = true;           ///< Whether every cluster is within the limit.
@@ -201,8 +201,8 @@ struct Decomposition {
   const Rational& squared_diameter() const {
     return std::visit([](const auto& x) -> const Rational& { return x.squared_diameter; }, origin);
   }
-  /// The clusters of the origin (of Cut: none), in the order of their lowest triangles, before flat ones joined
-  /// others and inner ones joined the parts of others.
+  /// The clusters of the origin (of Cut: none), in the order of their lowest triangles, before flat
+  /// ones joined others and inner ones joined the parts of others.
   std::vector<std::span<const TriangleId>> clusters() const;
   /// Whether the number of parts ended the run, not the limit.
   bool stopped_by_count() const {

@@ -6,6 +6,7 @@
 #include "cli/measures_options.hpp"
 #include "cli/outputs.hpp"
 #include "cli/part_files.hpp"
+#include "cli/promise_options.hpp"
 #include "cli/stdio_loop.hpp"
 #include "convexact/decompose.hpp"
 #include "convexact/verify.hpp"
@@ -26,26 +27,30 @@ constexpr const char* kDecomposeFooter =
     "  convexact decompose cow.obj -o parts.obj\n"
     "  convexact decompose cow.obj --concavity 5% --measure vertices -o parts/\n"
     "  convexact decompose cow.obj --max-parts 8 --faces 24 --names 'UCX_cow_%02d' -o cow_ucx.obj\n"
-    "  convexact decompose cup.obj --merge reach --distance 3% -o parts.obj\n"
+    "  convexact decompose cup.obj --distance 1% --effort high --picture parts.html\n"
+    "  convexact decompose robot.stl --profile physx-gpu -o parts/ -o robot.usda\n"
     "  convexact decompose cow.obj --method acd --concavity 10% --picture splits.html\n"
-    "  convexact decompose cow.obj --engine exact --trace merges.json -o parts.json\n"
+    "  convexact decompose cow.obj --method hacd --trace merges.json -o parts.json\n"
     "  convexact decompose cow.obj --proof cow.proof && convexact-check cow.proof cow.obj\n"
     "  convexact decompose cow.obj --total-faces 400 -o parts/ --tree tree.json --tree-faces 24\n"
     "  convexact decompose cow.obj --precision 32 -o parts/ -o cow.mjcf.xml -o cow.urdf\n"
-    "  convexact verify cow.obj parts.obj --union\n"
+    "  convexact verify cow.obj parts.obj --distance 3%\n"
     "  convexact decompose --stdio <requests.jsonl\n"
     "\n"
-    "Every part is the convex hull of a cluster of triangles. The parts hold every triangle, "
-    "tested\n"
-    "on the written numbers. That covers the surface and need not cover the solid: the summary "
-    "says\n"
-    "what of the solid is in no part; --measures all also says what of the parts is outside.\n"
-    "Hulls of clusters fill cavities; --guard reach keeps each point of the parts near the solid,\n"
-    "and --merge reach merges parts as long as it is.\n"
-    "The exit code is 0 even if --max-parts or --flat merge leads beyond the concavity allowed, or "
-    "a\n"
-    "part of acd cannot be split; the summary and \"eps_holds\" say so. 4: INPUT has no point, "
-    "or all its faces lie in one plane.";
+    "A solid is cut by planes: the parts hold it, and no point of them is farther from it than "
+    "--distance,\n"
+    "both tested on the written numbers. The parts of hacd and acd are hulls of clusters of "
+    "triangles: they\n"
+    "hold every triangle, which need not cover the solid, and they may fill cavities; the summary "
+    "says how\n"
+    "much is in no part, and --measures all what of the parts is outside. Open surfaces are taken "
+    "apart by\n"
+    "hacd, with --guard reach and --merge reach.\n"
+    "The exit code is 0 even if --max-parts, --faces or --flat merge leads beyond the limit, or a "
+    "part of acd\n"
+    "cannot be split; the summary and \"eps_holds\" say so. 4: INPUT has no point, or all its "
+    "faces lie in one\n"
+    "plane.";
 
 struct DecomposeArguments {
   GlobalOptions global;
@@ -55,11 +60,31 @@ struct DecomposeArguments {
   DecomposeRequest request = default_decompose_request();
   MeasuresOptions measures;
   std::optional<Tolerance> weld;
+  std::string profile;
   StdioOptions stdio;
 };
 
+// The halfspaces that a part may have so that it fits a promise: a solid of F faces has at most
+// 2 F - 4 corners, and at most F - 1 at a face.
+std::optional<std::size_t> faces_of(const Budgets& budgets) {
+  std::optional<std::size_t> faces = budgets.max_facets;
+  const auto allow = [&](std::size_t most) { faces = std::min(faces.value_or(most), most); };
+  if (budgets.max_vertices) allow(*budgets.max_vertices / 2 + 2);
+  if (budgets.max_facet_vertices) allow(*budgets.max_facet_vertices + 1);
+  return faces;
+}
+
 DecomposeRequest decompose_request(const DecomposeArguments& options) {
   DecomposeRequest request = options.request;
+  if (!options.profile.empty()) {
+    if (request.faces || request.total_faces) {
+      throw Error(ErrorCode::InvalidArgument,
+                  "--profile says how many faces a part may have: leave --faces out");
+    }
+    const Promise promise = find_profile(options.profile).promise;
+    request.faces = faces_of(promise);
+    request.precision = promise.numbers;
+  }
   if (request.faces && request.total_faces) {
     throw Error(ErrorCode::InvalidArgument,
                 "--total-faces is for all parts together and --faces for each: name one");
@@ -162,9 +187,10 @@ int run_decompose(const DecomposeArguments& options) {
           welded(with_hulls_of_clouds(std::get<Mesh>(std::move(made))), name, options, run);
       own = with_method(mesh, std::move(own));
       if (request.method == DecomposeMethod::Auto && own.method == DecomposeMethod::Hacd) {
-        run.note(name, own.guard == ReachUse::Reach && request.guard != ReachUse::Reach
-                           ? "the surface is open: hacd, guarded and merged by reach"
-                           : "hacd, as it alone has one of these options; --method cut holds solids");
+        run.note(name,
+                 own.guard == ReachUse::Reach && request.guard != ReachUse::Reach
+                     ? "the surface is open: hacd, guarded and merged by reach"
+                     : "hacd, as it alone has one of these options; --method cut holds solids");
       }
       outcome = decompose_object(name, mesh, own);
       reason = std::get_if<NotSolid>(&*outcome);
@@ -196,12 +222,17 @@ int run_decompose(const DecomposeArguments& options) {
 void add_decompose_command(Command& program, int& exit_code) {
   auto options = std::make_shared<DecomposeArguments>();
   Command& command = *program.add_subcommand(
-      "decompose", "the surface of a mesh as few convex parts, each the hull of some triangles");
+      "decompose", "a mesh as few convex parts that hold it, none far from it");
   command.footer(kDecomposeFooter);
   command.add_option("INPUT", options->input,
                      "a mesh (OBJ, OFF, PLY, STL), or halfspaces (JSON, .ine, rows); - is standard "
                      "input");
   add_fields(command, bound_fields(decompose_fields(), options->request));
+  add_text(command, "--profile",
+           "parts that fit a program: as many faces and corners, and numbers, as it takes (" +
+               std::string("physx, physx-gpu, unity, mujoco, jolt, bullet, ...)"),
+           [&profile = options->profile](const auto&, const auto& text) { profile = text; })
+      ->type_name("NAME");
   add_text(command, "--weld",
            "join corners of faces that are so near, each moved once: 1e-6, or 1e-6d of the "
            "diameter; the parts hold the joined faces, and all corners as they were",
@@ -213,9 +244,10 @@ void add_decompose_command(Command& program, int& exit_code) {
   add_stdio_options(command, options->stdio, "one decomposition");
   finish_command(command, options, exit_code, run_decompose);
   add_stages_option(command, options->global);
-  command.show_first({"--method", "--concavity", "--guard", "--merge", "--distance", "--max-parts",
-                      "--faces", "--total-faces", "--output", "--names", "--picture", "--proof",
-                      "--precision", "--measures", "--parts", "--json"});
+  command.show_first({"--method", "--distance", "--effort", "--max-parts", "--max-excess",
+                      "--profile", "--faces", "--total-faces", "--concavity", "--guard", "--merge",
+                      "--output", "--names", "--picture", "--proof", "--precision", "--measures",
+                      "--parts", "--json"});
 }
 
 }  // namespace convexact::cli

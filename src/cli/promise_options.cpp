@@ -6,7 +6,6 @@
 #include "wire/verdict_report.hpp"
 
 namespace convexact::cli {
-namespace {
 
 Profile find_profile(const std::string& name) {
   const auto path = find_shipped("profiles.json");
@@ -18,8 +17,6 @@ Profile find_profile(const std::string& name) {
     throw error.in_file(*path);
   }
 }
-
-}  // namespace
 
 void add_claims_option(Command& command, std::vector<ClaimCode>& claims,
                        const std::string& meaning) {

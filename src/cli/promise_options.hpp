@@ -13,6 +13,9 @@
 
 namespace convexact::cli {
 
+/// Of the shipped profiles. @throws Error InvalidArgument, with their names, if there is none such.
+[[nodiscard]] Profile find_profile(const std::string& name);
+
 /// Options as they were given; missing ones come from the profile, or are as in Promise.
 struct PromiseOptions {
   std::string profile;

@@ -30,7 +30,8 @@ std::vector<Point> half_of_directions(int longest) {
 }
 
 // Points that are extreme in these directions: their hull lies in that of all points.
-std::vector<Point> extremes_of(const std::vector<Point>& points, std::span<const Point> directions) {
+std::vector<Point> extremes_of(const std::vector<Point>& points,
+                               std::span<const Point> directions) {
   std::vector<std::size_t> found;
   for (const Point& along : directions) {
     std::size_t lowest = 0, highest = 0;

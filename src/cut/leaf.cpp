@@ -17,7 +17,6 @@ std::vector<Piece::Corner> corners_of(const Surface& surface, const Piece& piece
   return {{a.value, 0}, {b.value, 1}, {c.value, 2}};
 }
 
-
 }  // namespace
 
 // Of one plane: the sides of corners, and where it crosses sides of pieces.
@@ -125,9 +124,8 @@ bool LeafCutter::goes_up(const Piece& piece, const CutPlane& plane) const {
   // A point strictly inside: the middle of a triangle of its corners with an area.
   RationalPoint sum = RationalPoint::Zero();
   for (const Piece::Corner& corner : corners) sum += points_.exact(corner.point);
-  const auto [front, back] =
-      winding_->beside(TriangleId(piece.triangle),
-                       RationalPoint(sum / Rational(static_cast<long>(corners.size()))));
+  const auto [front, back] = winding_->beside(
+      TriangleId(piece.triangle), RationalPoint(sum / Rational(static_cast<long>(corners.size()))));
   const RationalVector3 normal = area_vector(surface_.points, triangle);
   Rational along = 0;
   for (int k = 0; k < 3; ++k) along += normal[k] * Rational(plane.exact.normal()[k]);

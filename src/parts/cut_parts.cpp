@@ -66,9 +66,7 @@ class PartCutter {
   inline static const std::vector<Rational> kShares{1, Rational(7, 8), Rational(3, 4),
                                                     Rational(1, 2), Rational(1, 4)};
 
-  bool is_limited() const {
-    return request_.faces || request_.total_faces || most_volume_;
-  }
+  bool is_limited() const { return request_.faces || request_.total_faces || most_volume_; }
   std::vector<Rational> shares() const {
     return is_limited() ? kShares : std::vector{kShares.front()};
   }
@@ -116,7 +114,7 @@ class PartCutter {
     for (auto& group : merge_by_reach(pieces, limit, options, watch).parts) {
       std::vector<Point> points;
       for (const std::uint32_t k : group) {
-          points.insert(points.end(), leaves[k].doubles().begin(), leaves[k].doubles().end());
+        points.insert(points.end(), leaves[k].doubles().begin(), leaves[k].doubles().end());
       }
       Part& part = made.parts.emplace_back();
       part.leaves = std::move(group);

@@ -37,10 +37,10 @@ bool uses_reach(const DecomposeRequest& request) {
 // Whether it asks for something that only clusters of triangles have.
 bool has_clusters(const DecomposeRequest& request) {
   const DecomposeRequest plain;
-  return request.limit.value != plain.limit.value || request.limit.is_share != plain.limit.is_share ||
-         request.connect != plain.connect || request.guard != plain.guard ||
-         request.merge != plain.merge || request.measure != plain.measure ||
-         request.flat == FlatParts::Merge;
+  return request.limit.value != plain.limit.value ||
+         request.limit.is_share != plain.limit.is_share || request.connect != plain.connect ||
+         request.guard != plain.guard || request.merge != plain.merge ||
+         request.measure != plain.measure || request.flat == FlatParts::Merge;
 }
 
 void require_sensible(const DecomposeRequest& request) {
@@ -620,7 +620,8 @@ class Decomposer {
   void require_held(const Part& part, const PointSet& points) const {
     const std::size_t outside = find_outside(part.halfspaces, points, request_.watch.stop).size();
     if (outside > 0) {
-      throw Error(ErrorCode::Internal, fmt::format("{} points of a part lie outside of it", outside));
+      throw Error(ErrorCode::Internal,
+                  fmt::format("{} points of a part lie outside of it", outside));
     }
   }
 

@@ -70,8 +70,8 @@ class JoinedHulls {
   Joined& add(PieceSet pieces, std::span<const Point> points) {
     watch_.ask();
     NearSolid solid = near_solid(points);
-    auto made = std::make_unique<Joined>(
-        Joined{pieces, std::move(solid.vertices), solid.volume, {}, {}});
+    auto made =
+        std::make_unique<Joined>(Joined{pieces, std::move(solid.vertices), solid.volume, {}, {}});
     for (const Point& y : made->vertices) made->box.include(y);
     return *(hulls_[std::move(pieces)] = std::move(made));
   }
@@ -106,8 +106,8 @@ class ReachMerger {
       std::optional<std::tuple<double, std::size_t, std::size_t>> best;
       for (std::size_t b = 0; b < parts_.size(); ++b) {
         for (std::size_t a = 0; a < b; ++a) {
-          const double added = hulls_.join(*parts_[a], *parts_[b]).volume - parts_[a]->volume -
-                               parts_[b]->volume;
+          const double added =
+              hulls_.join(*parts_[a], *parts_[b]).volume - parts_[a]->volume - parts_[b]->volume;
           if (!best || added < std::get<0>(*best)) best = {added, a, b};
         }
       }
@@ -155,8 +155,8 @@ class ReachMerger {
     const auto add = [&](std::uint32_t b) {
       for (const std::uint32_t a : alive) {
         if (a == b || !are_near(*numbered[a], *numbered[b])) continue;
-        const double added =
-            hulls_.join(*numbered[a], *numbered[b]).volume - numbered[a]->volume - numbered[b]->volume;
+        const double added = hulls_.join(*numbered[a], *numbered[b]).volume - numbered[a]->volume -
+                             numbered[b]->volume;
         queue.emplace(key(added), std::min(a, b), std::max(a, b));
       }
       alive.insert(b);

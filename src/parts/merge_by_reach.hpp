@@ -31,12 +31,12 @@ struct ReachMerged {
   bool is_beyond = false;
 };
 
-/// Each piece becomes a part. Then, again and again, the two parts are merged whose common hull adds
-/// the least volume among those that the limit allows. Then each part whose pieces all find a place
-/// in other parts, as far as the limit allows, is given up, smallest first; a piece goes to the part
-/// that grows least. Of several rounds the fewest parts are kept, of these the least volume.
-/// Volumes are those of hulls of doubles, so that every machine sorts alike; no proof depends on
-/// the order.
+/// Each piece becomes a part. Then, again and again, the two parts are merged whose common hull
+/// adds the least volume among those that the limit allows. Then each part whose pieces all find a
+/// place in other parts, as far as the limit allows, is given up, smallest first; a piece goes to
+/// the part that grows least. Of several rounds the fewest parts are kept, of these the least
+/// volume. Volumes are those of hulls of doubles, so that every machine sorts alike; no proof
+/// depends on the order.
 /// @param pieces  The points of each, in the frame of the limit.
 /// @throws Error Stopped when the watch ends the call.
 [[nodiscard]] ReachMerged merge_by_reach(std::span<const std::vector<Point>> pieces,

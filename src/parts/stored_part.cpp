@@ -197,9 +197,9 @@ ConvexPart keep_flat(Part& part, Precision precision) {
 
 }  // namespace
 
-// A corner that is no number of the format is rounded to nearest. Those that are outside of the hull
-// then are rounded away from its middle as well; and those that still are, in all eight ways, which
-// have them in their middle.
+// A corner that is no number of the format is rounded to nearest. Those that are outside of the
+// hull then are rounded away from its middle as well; and those that still are, in all eight ways,
+// which have them in their middle.
 PointSet stored_corners(const ConvexPart& hull, const Rational& squared_diameter,
                         Precision precision, const Watch& watch) {
   if (!hull.solid) {

@@ -22,18 +22,20 @@ Fields<DecomposeRequest> make_fields() {
   using R = DecomposeRequest;
   constexpr std::uint64_t kMostFaces = std::uint64_t(1) << 32;
   Fields<R> fields = {
-      choice_field<R>("method", &R::method, kDecomposeMethodNames,
-                      "auto: cut for solids, hacd for open surfaces and if one of its options is "
-                      "given; cut cuts the solid by planes into few parts that hold it, none farther "
-                      "from it than the distance; hacd merges neighbouring triangles, then "
-                      "clusters, by concavity and shape; acd splits the most concave part at its "
-                      "deepest notch, again and again"),
-      text_field<R>("concavity", &R::limit, parse_concavity, spell_limit,
-                    "hacd and acd: how deep a cluster may lie in its hull: a share of the diameter, "
-                    "3% or 0.03d, or a length, 0.05"),
+      choice_field<R>(
+          "method", &R::method, kDecomposeMethodNames,
+          "auto: cut for solids, hacd for open surfaces and if one of its options is "
+          "given; cut cuts the solid by planes into few parts that hold it, none farther "
+          "from it than the distance; hacd merges neighbouring triangles, then "
+          "clusters, by concavity and shape; acd splits the most concave part at its "
+          "deepest notch, again and again"),
+      text_field<R>(
+          "concavity", &R::limit, parse_concavity, spell_limit,
+          "hacd and acd: how deep a cluster may lie in its hull: a share of the diameter, "
+          "3% or 0.03d, or a length, 0.05"),
       count_field<R>("max_parts", &R::max_parts, {1},
-                     "at least 1: hacd keeps merging beyond the concavity allowed until this many "
-                     "parts are left; acd stops splitting at this many"),
+                     "at least 1: cut and hacd keep merging, beyond the distance or the concavity "
+                     "allowed, until this many parts are left; acd stops splitting at this many"),
       choice_field<R>("guard", &R::guard, kReachUseNames,
                       "reach: no part is made that reaches farther from the solid than the "
                       "distance allowed, so that cavities stay open"),
@@ -50,15 +52,17 @@ Fields<DecomposeRequest> make_fields() {
       choice_field<R>("effort", &R::effort, kEffortNames,
                       "cut only: how much to try for fewer parts: high takes several times as long "
                       "as low"),
-      text_field<R>("max_excess", &R::max_excess, parse_excess,
-                    [](const std::optional<Rational>& share) {
-                      return share ? to_string(Rational(*share * 100)) + "%" : std::string("none");
-                    },
-                    "cut only: how much larger the volumes of the parts together may be than the "
-                    "solid's: a share of it, 20%"),
-      choice_field<R>("close", &R::close, kCloseNames,
-                      "for cut, guard and merge: a surface whose borders are all at most a quarter of "
-                      "the diameter wide is closed by caps, or never"),
+      text_field<R>(
+          "max_excess", &R::max_excess, parse_excess,
+          [](const std::optional<Rational>& share) {
+            return share ? to_string(Rational(*share * 100)) + "%" : std::string("none");
+          },
+          "cut only: how much larger the volumes of the parts together may be than the "
+          "solid's: a share of it, 20%"),
+      choice_field<R>(
+          "close", &R::close, kCloseNames,
+          "for cut, guard and merge: a surface whose borders are all at most a quarter of "
+          "the diameter wide is closed by caps, or never"),
       choice_field<R>("measure", &R::measure, kConcavityMeasureNames,
                       "hacd only: concavity at every point of the triangles, or at their corners "
                       "only, as published, which sees no notch whose corners all lie on the hull"),
@@ -131,7 +135,8 @@ Rational parse_excess(const std::string& option, const std::string& text) {
   } catch (const Error&) {  // told below
   }
   throw Error(ErrorCode::InvalidArgument,
-              option + ": expected a share of the solid's volume, at least 0%, such as 20%, found " +
+              option +
+                  ": expected a share of the solid's volume, at least 0%, such as 20%, found " +
                   in_quotes(text));
 }
 

@@ -382,7 +382,8 @@ Json decomposition_json(std::span<const DecomposedObject> objects, Decomposition
   Json parts = Json::array(), list = parts;
   for (std::size_t k = 0; k < objects.size(); ++k) {
     Json entry = {{"name", objects[k].name}};
-    entry.update(decomposition_json(objects[k].result, objects[k].request, objects[k].part_names, detail));
+    entry.update(
+        decomposition_json(objects[k].result, objects[k].request, objects[k].part_names, detail));
     for (const Json& part : entry["parts"]) {
       parts.push_back({{"name", part["name"]}, {"object", k}});
       parts.back().update(part);

@@ -113,6 +113,8 @@ std::string reach_lines(const Decomposition& decomposition, std::span<const std:
                             std::string(decomposition.surface.is_closed ? "solid" : "surface"));
   }
   const DecompositionReach& reach = *decomposition.reach;
+  const bool is_told = std::holds_alternative<Partition>(decomposition.origin);
+  if (is_told && reach.farther.empty()) return "";
   const std::string limit = length_text(reach.squared_distance, decomposition);
   const char* of = decomposition.surface.is_closed ? "the solid" : "the surface";
   if (reach.farther.empty()) {
@@ -144,9 +146,9 @@ std::string reach_lines(const Decomposition& decomposition, std::span<const std:
 std::string guarantee_line(const Decomposition& decomposition) {
   if (!std::holds_alternative<Partition>(decomposition.origin)) return "";
   const bool is_closed = decomposition.surface.is_closed;
-  std::string text = fmt::format("{} hold the {}",
-                                 counted(decomposition.parts.size(), "part", "parts"),
-                                 is_closed ? "solid" : "surface");
+  std::string text =
+      fmt::format("{} hold the {}", counted(decomposition.parts.size(), "part", "parts"),
+                  is_closed ? "solid" : "surface");
   if (decomposition.reach && decomposition.reach->farther.empty()) {
     text += "; no point of them is farther than " +
             length_text(decomposition.reach->squared_distance, decomposition) + " from it, proven";
@@ -252,10 +254,9 @@ std::string way_out_notes(const Decomposition& decomposition) {
                          "cavities, and so does --guard reach, with --merge reach for few parts");
   }
   if (exceeds(measures->uncovered_volume, kSome)) {
-    text +=
-        summary_line("note",
-                     "where no triangle joins both sides of a wall, no part holds its inside: "
-                     "--method cut holds the solid; a larger --concavity joins more of them");
+    text += summary_line("note",
+                         "where no triangle joins both sides of a wall, no part holds its inside: "
+                         "--method cut holds the solid; a larger --concavity joins more of them");
   }
   return text;
 }

@@ -170,8 +170,9 @@ TEST_CASE("decompose --tree: the tree is over the parts that the same run writes
   const ScratchFolder scratch;
   const std::string mesh = scratch.write("stairs.obj", stairs_obj());
   const std::string tree = scratch.file("tree.json"), parts = scratch.file("parts.json");
-  const Ran ran = run_program("decompose --method hacd " + mesh + " --concavity 1% --total-faces 40 --tree " +
-                              tree + " --tree-faces 5 -o " + parts);
+  const Ran ran =
+      run_program("decompose --method hacd " + mesh + " --concavity 1% --total-faces 40 --tree " +
+                  tree + " --tree-faces 5 -o " + parts);
   REQUIRE_MESSAGE(ran.exit == 0, ran.err);
   CHECK(ran.out.find(tree) != std::string::npos);
   const json file = tree_of(tree), list = json::parse(bytes_of(parts));
@@ -233,7 +234,9 @@ TEST_CASE("verify: tree-nested by name needs a tree; a broken one cannot be read
   const ScratchFolder scratch;
   const std::string mesh = scratch.write("stairs.obj", stairs_obj());
   const std::string parts = scratch.file("parts.obj"), tree = scratch.file("tree.json");
-  REQUIRE(run_program("decompose --method hacd " + mesh + " -o " + parts + " --tree " + tree).exit == 0);
+  REQUIRE(
+      run_program("decompose --method hacd " + mesh + " -o " + parts + " --tree " + tree).exit ==
+      0);
   const json verdict =
       printed("verify " + mesh + " " + parts + " --union --claims tree-nested", "verdict", 1);
   CHECK(claim_in(verdict, "tree-nested")["status"] == "not-applicable");

@@ -111,8 +111,8 @@ TEST_CASE("part models: MJCF and URDF name every file of the folder, from where 
     CAPTURE(place);
     const std::string mjcf = scratch.file(place + "l.mjcf.xml"),
                       urdf = scratch.file(place + "l.urdf");
-    const auto ran = run_program("decompose --method hacd " + input + " --precision 32 -o " + mjcf + " -o " +
-                                 scratch.file("parts/") + " -o " + urdf);
+    const auto ran = run_program("decompose --method hacd " + input + " --precision 32 -o " + mjcf +
+                                 " -o " + scratch.file("parts/") + " -o " + urdf);
     CAPTURE(ran.err);
     REQUIRE(ran.exit == 0);
     const auto model = parsed_xml(mjcf), robot = parsed_xml(urdf);
@@ -148,7 +148,8 @@ TEST_CASE("part models: USD holds the points of the files, numbers of binary32, 
   const ScratchFolder scratch;
   const std::string input = scratch.write("cross.obj", tenth_obj(support::cross_cells()));
   const std::string usd = scratch.file("cross.usda"), parts = scratch.file("parts/");
-  const auto ran = run_program("decompose --method hacd " + input + " --precision 32 -o " + parts + " -o " + usd);
+  const auto ran = run_program("decompose --method hacd " + input + " --precision 32 -o " + parts +
+                               " -o " + usd);
   REQUIRE(ran.exit == 0);
   const auto meshes = points_of_usd(bytes_of(usd));
   const json document = json::parse(bytes_of(parts + "parts.json"));
@@ -215,8 +216,8 @@ TEST_CASE("part models: a file that cannot be written leaves none behind") {
   std::filesystem::create_directory(scratch.file("taken.urdf"));
   // A folder in the place of the file is taken for the folder of the parts.
   const auto ran =
-      run_program("decompose --method hacd " + input + " --precision 32 -o " + scratch.file("taken.urdf") +
-                  " -o " + scratch.file("missing/l.mjcf.xml"));
+      run_program("decompose --method hacd " + input + " --precision 32 -o " +
+                  scratch.file("taken.urdf") + " -o " + scratch.file("missing/l.mjcf.xml"));
   CHECK(ran.exit == 5);
   CHECK_FALSE(std::filesystem::exists(scratch.file("taken.urdf/part_000.obj")));
 }
@@ -232,8 +233,8 @@ TEST_CASE("part models: names that XML and USD cannot spell are escaped, and kep
   const std::string mjcf = scratch.file("a \"b\" & c.mjcf.xml"), urdf = scratch.file("9.urdf"),
                     usd = scratch.file("9 \"z\".usda");
   const auto ran =
-      run_program("decompose --method hacd --parts " + input + " --precision 32 -o '" + mjcf + "' -o '" +
-                  scratch.file("p & q/") + "' -o '" + urdf + "' -o '" + usd + "'");
+      run_program("decompose --method hacd --parts " + input + " --precision 32 -o '" + mjcf +
+                  "' -o '" + scratch.file("p & q/") + "' -o '" + urdf + "' -o '" + usd + "'");
   CAPTURE(ran.err);
   REQUIRE(ran.exit == 0);
   const std::string text = bytes_of(usd);
@@ -265,8 +266,8 @@ TEST_CASE("part models: programs of others read them") {
   const ScratchFolder scratch;
   const std::string input = scratch.write("l.obj", tenth_obj(support::l_cells()));
   const std::string mjcf = scratch.file("l.mjcf.xml"), urdf = scratch.file("l.urdf");
-  REQUIRE(run_program("decompose --method hacd " + input + " --precision 32 -o " + scratch.file("parts/") +
-                      " -o " + mjcf + " -o " + urdf)
+  REQUIRE(run_program("decompose --method hacd " + input + " --precision 32 -o " +
+                      scratch.file("parts/") + " -o " + mjcf + " -o " + urdf)
               .exit == 0);
   const auto robot = said_by("check_urdf", "'" + urdf + "'");
   if (robot) {
@@ -288,8 +289,9 @@ TEST_CASE("verify: models that decompose wrote are read as parts, others are ref
   for (const char* name : {"a.mjcf.xml", "a.urdf", "a.usda"}) {
     outputs += " -o " + scratch.file(name);
   }
-  REQUIRE(run_program("decompose --method hacd " + input + " --precision 32 --names 'p<%d>&' " + outputs).exit ==
-          0);
+  REQUIRE(run_program("decompose --method hacd " + input + " --precision 32 --names 'p<%d>&' " +
+                      outputs)
+              .exit == 0);
   for (const char* name : {"a.mjcf.xml", "a.urdf", "a.usda"}) {
     CAPTURE(name);
     const auto judged = run_program("verify " + input + " " + scratch.file(name) + " --json");

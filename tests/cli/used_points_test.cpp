@@ -105,7 +105,8 @@ TEST_CASE("loose: decompose and bvh put them into the nearest part, or refuse th
   const std::string proof = scratch.file("p.proof");
   for (const char* points : {"", " --points used"}) {
     CAPTURE(points);
-    REQUIRE(run_program("decompose --method hacd " + shape + points + " --proof " + proof).exit == 0);
+    REQUIRE(run_program("decompose --method hacd " + shape + points + " --proof " + proof).exit ==
+            0);
     CHECK(prints(bytes_of(proof), "\npart stored") == (*points == '\0'));
     const std::string check = std::getenv("CONVEXACT_CHECK");
     CHECK(std::system(("'" + check + "' " + proof + " " + shape + " >/dev/null").c_str()) == 0);

@@ -122,7 +122,9 @@ TEST_CASE("cut parts: solids of cells are taken apart exactly") {
 TEST_CASE("cut parts: bin, cup, tube and house") {
   const std::pair<const char*, std::size_t> cases[] = {
       {"bin", 5}, {"cup", 12}, {"tube", 10}, {"house", 10}};
-  for (const auto& [name, most] : cases) {
+  for (const auto& each : cases) {
+    const char* name = each.first;
+    const std::size_t most = each.second;
     CAPTURE(name);
     const Mesh mesh = shipped("cases/" + std::string(name));
     const DecomposeRequest request = cutting();
