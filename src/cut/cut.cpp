@@ -49,7 +49,7 @@ class Cutter {
         options_(options),
         points_(surface, limit.frame(), options.is_exact),
         notches_(surface, points_),
-        cutter_(surface, winding, points_, planes_) {}
+        cutter_(surface, winding, points_, planes_, options.watch) {}
 
   Partition run() {
     made_.squared_limit = limit_.squared_limit();

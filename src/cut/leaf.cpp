@@ -94,6 +94,7 @@ std::pair<Leaf, Leaf> LeafCutter::cut(const Leaf& leaf, std::uint32_t plane,
   Leaf lower{std::move(below), {}, {}, {}}, upper{std::move(above), {}, {}, {}};
   PieceCutter cutter(surface_, points_, planes_, plane);
   for (const Piece& piece : leaf.pieces) {
+    watch_.ask();
     const std::vector<Piece::Corner> corners = corners_of(surface_, piece);
     bool is_below = false, is_above = false;
     for (const Piece::Corner& corner : corners) {

@@ -46,12 +46,13 @@ class LeafCutter {
  public:
   /// Keeps references. @param winding  Null for an open surface.
   LeafCutter(const Surface& surface, const Winding* winding, CutPoints& points,
-             const std::vector<CutPlane>& planes)
-      : surface_(surface), winding_(winding), points_(points), planes_(planes) {}
+             const std::vector<CutPlane>& planes, const Watch& watch)
+      : surface_(surface), winding_(winding), points_(points), planes_(planes), watch_(watch) {}
 
   /// What lies below the plane and above it. Pieces in the plane go where the solid is; to the
   /// lower side if it is on both sides or on none.
   /// @param raised  Receives the triangles of those that went above.
+  /// @throws Error  Stopped when the watch ends the call.
   std::pair<Leaf, Leaf> cut(const Leaf& leaf, std::uint32_t plane, std::vector<TriangleId>& raised);
 
   /// The corners of a region at which the solid has a volume in it that no piece bounds.
@@ -65,6 +66,7 @@ class LeafCutter {
   const Winding* winding_;
   CutPoints& points_;
   const std::vector<CutPlane>& planes_;
+  const Watch& watch_;
 };
 
 }  // namespace convexact

@@ -7,7 +7,7 @@
 namespace convexact {
 namespace {
 
-using Edge = std::pair<std::uint32_t, std::uint32_t>;
+using CornerPair = std::pair<std::uint32_t, std::uint32_t>;
 
 class RegionCutter {
  public:
@@ -77,8 +77,9 @@ class RegionCutter {
   std::span<const CutPlane> planes_;
   CutPoints& points_;
   std::map<std::uint32_t, Sign> side_;
-  std::map<Edge, std::uint32_t> face_of_;  // the plane of the face that has this directed edge
-  std::map<Edge, std::uint32_t> crossings_;
+  std::map<CornerPair, std::uint32_t>
+      face_of_;  // the plane of the face that has this directed edge
+  std::map<CornerPair, std::uint32_t> crossings_;
 };
 
 }  // namespace
