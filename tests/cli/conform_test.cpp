@@ -239,7 +239,7 @@ TEST_CASE("conform: profiles, overridden by options, and named if unknown (#13)"
   CHECK(mine["max_vertices"] == 99);
   const auto unknown = run_program("conform --profile jolly" + vectors() + words);
   CHECK(unknown.exit == 2);
-  CHECK(unknown.err.find("bullet, jacobson, jolt, manifold, physx") != std::string::npos);
+  CHECK(unknown.err.find("bullet, jacobson, jolt, manifold, mujoco, physx") != std::string::npos);
 }
 
 TEST_CASE("verify: a profile stands for numbers, tolerance and caps (#13)") {
