@@ -195,11 +195,10 @@ struct Judged {
   friend auto operator<=>(const Judged&, const Judged&) = default;
 };
 
-// The hull of a half. Most points lie in the hull of a few that are extreme.
-NearSolid hull_of(const std::vector<Point>& half, std::span<const Point> directions) {
-  std::vector<Point> outer = extremes_of(half, directions);
-  const NearSolid inner = near_solid(outer);
-  for (const Point& y : half) {
+// The hull of points that hold those of a hull: most of them lie in it.
+NearSolid hull_around(const NearSolid& inner, const std::vector<Point>& points) {
+  std::vector<Point> outer = inner.vertices;
+  for (const Point& y : points) {
     if (!is_within(inner, y, -kNear)) outer.push_back(y);
   }
   return near_solid(outer);
@@ -222,21 +221,20 @@ class PlaneChoice {
       : own_(leaf, points), far_(far), planes_(planes), winding_(winding) {
     // Volumes are compared in units of which a billion make the leaf's: those that are equal but
     // for rounding are equal.
-    whole_ = hull_of(own_.near(), many_).volume;
+    whole_ = hull_around(near_solid(extremes_of(own_.near(), many_)), own_.near()).volume;
   }
 
   std::optional<std::size_t> best(const Watch& watch) {
     for (std::uint32_t k = 0; k < planes_.size(); ++k) {
       watch.ask();
       const LeafPoints::Halves halves = own_.halves(planes_[k]);
-      if (!halves[0].empty() && !halves[1].empty()) judge(k, 0, halves);
+      if (!halves[0].empty() && !halves[1].empty()) judge(k, 0, {}, halves);
     }
     while (!queue_.empty()) {
       watch.ask();
-      const auto [judged, size, plane, level] = *queue_.begin();
-      queue_.erase(queue_.begin());
-      if (level == kLevels) return plane;
-      judge(plane, level + 1, own_.halves(planes_[plane]));
+      const Candidate first = queue_.extract(queue_.begin()).value();
+      if (first.level == kLevels) return first.plane;
+      judge(first.plane, first.level + 1, first.hulls, own_.halves(planes_[first.plane]));
     }
     return {};
   }
@@ -244,23 +242,38 @@ class PlaneChoice {
  private:
   static constexpr int kLevels = 2;  // hulls of 26 points, of 98, of all
 
-  void judge(std::uint32_t plane, int level, LeafPoints::Halves halves) {
+  struct Candidate {
     Judged judged;
-    double size = 0;
+    double size;
+    std::uint32_t plane;
+    int level;
+    std::array<NearSolid, 2> hulls;
+
+    friend bool operator<(const Candidate& a, const Candidate& b) {
+      return std::tie(a.judged, a.size, a.plane, a.level) <
+             std::tie(b.judged, b.size, b.plane, b.level);
+    }
+  };
+
+  // @param inner  Hulls of the halves as they were judged before.
+  void judge(std::uint32_t plane, int level, const std::array<NearSolid, 2>& inner,
+             LeafPoints::Halves halves) {
+    Candidate made{{}, 0, plane, level, {}};
     std::vector<Point> more;
     if (level == kLevels) more = own_.new_corners(planes_[plane], winding_);
-    for (auto& half : halves) {
+    for (std::size_t k = 0; k < 2; ++k) {
+      std::vector<Point>& half = halves[k];
       half.insert(half.end(), more.begin(), more.end());
-      judged.add(level == kLevels ? hull_of(half, many_)
-                                  : near_solid(extremes_of(half, level == 0 ? few_ : many_)),
-                 far_);
-      size += box_size(half);
+      made.hulls[k] = level == kLevels ? hull_around(inner[k], half)
+                                       : near_solid(extremes_of(half, level == 0 ? few_ : many_));
+      made.judged.add(made.hulls[k], far_);
+      // What is flat has no volume: then smaller is better.
+      if (!(whole_ > 0)) made.size += box_size(half);
     }
-    // What is flat has no volume: then smaller is better. A bound is rounded down, so that it does
-    // not come after what it bounds.
-    const double units = whole_ > 0 ? judged.volume / whole_ * 0x1p30 : 0;
-    judged.volume = level == kLevels ? std::round(units) : std::floor(units - 1);
-    queue_.emplace(judged, whole_ > 0 ? 0 : size, plane, level);
+    // A bound is rounded down, so that it does not come after what it bounds.
+    const double units = whole_ > 0 ? made.judged.volume / whole_ * 0x1p30 : 0;
+    made.judged.volume = level == kLevels ? std::round(units) : std::floor(units - 1);
+    queue_.insert(std::move(made));
   }
 
   const LeafPoints own_;
@@ -269,7 +282,7 @@ class PlaneChoice {
   const Winding* winding_;
   const std::vector<Point> few_ = half_of_directions(1), many_ = half_of_directions(2);
   double whole_ = 0;
-  std::set<std::tuple<Judged, double, std::uint32_t, int>> queue_;
+  std::set<Candidate> queue_;
 };
 
 }  // namespace

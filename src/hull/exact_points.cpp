@@ -17,6 +17,16 @@ bool is_between(const Point& low, const Point& x, const Point& high) {
   return (low.array() < x.array()).all() && (x.array() < high.array()).all();
 }
 
+// Whether it is on the same side of each facet as the fourth corner, which is not in it.
+bool is_strictly_inside(const Point& x, const std::array<Point, 4>& simplex) {
+  for (std::size_t k = 0; k < 4; ++k) {
+    const auto &a = simplex[(k + 1) % 4], &b = simplex[(k + 2) % 4], &c = simplex[(k + 3) % 4];
+    const Sign side = orient3d(a, b, c, x);
+    if (side == Sign::Zero || side != orient3d(a, b, c, simplex[k])) return false;
+  }
+  return true;
+}
+
 }  // namespace
 
 DoublePoints::DoublePoints(std::span<const Point> points) : points_(points), near_(points.size()) {
@@ -33,6 +43,15 @@ void DoublePoints::center_at(const std::array<PointId, 4>& simplex) {
   RationalPoint sum = rational(simplex[0]);
   for (int k = 1; k < 4; ++k) sum += rational(simplex[k]);
   center_ = sum / Rational(4);
+  Point rounded;
+  for (int axis = 0; axis < 3; ++axis) {
+    rounded[axis] = to_double(center_[axis], Rounding::Nearest);
+  }
+  if (is_strictly_inside(rounded,
+                         {at(simplex[0]), at(simplex[1]), at(simplex[2]), at(simplex[3])})) {
+    center_ = to_rational(rounded);
+    double_center_ = rounded;
+  }
   compute_near(center_);
 }
 
@@ -66,6 +85,7 @@ Sign DoublePoints::side(PointId a, PointId b, PointId c, PointId p) const {
 }
 
 Sign DoublePoints::center_side(PointId a, PointId b, PointId p) const {
+  if (double_center_) return orient3d(at(a), at(b), at(p), *double_center_);
   const RationalVector3 to_a = rational(a) - center_, to_b = rational(b) - center_;
   const RationalVector3 cross = to_a.cross(to_b), to_p = rational(p) - center_;
   return sign_of(Rational(cross.dot(to_p)));

@@ -183,8 +183,8 @@ class Decomposer {
     });
     decide_reach(stored);
     if (request_.measures != PartMeasures::None) {
-      made_.measures =
-          measure_volumes(made_.surface, stored, request_.measures, request_.exact_volumes, log_);
+      made_.measures = measure_volumes(made_.surface, stored, request_.measures,
+                                       request_.exact_volumes, log_, cuts(request_));
     } else {
       log_.skip("union's volume", "not requested");
       log_.skip("solid's volumes", "not requested");

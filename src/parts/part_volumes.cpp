@@ -30,7 +30,8 @@ Measured volume_of_parts(const std::vector<ConvexPart>& parts, bool exact) {
 }  // namespace
 
 DecompositionMeasures measure_volumes(const Surface& surface, const std::vector<ConvexPart>& parts,
-                                      PartMeasures wanted, bool exact, StageLog& log) {
+                                      PartMeasures wanted, bool exact, StageLog& log,
+                                      bool hold_solid) {
   DecompositionMeasures found;
   if (wanted == PartMeasures::All) {
     found.union_volume = log.run("union's volume", [&] {
@@ -50,8 +51,13 @@ DecompositionMeasures measure_volumes(const Surface& surface, const std::vector<
   log.run("solid's volumes", [&] {
     const Watch watch = log.watch("solid's volumes");
     found.solid_volume = solid_volume(surface, kMeasureBits, exact, watch);
-    found.uncovered_volume =
-        uncovered_volume(surface, Winding(surface), parts, kMeasureBits, exact, watch);
+    if (hold_solid) {
+      found.uncovered_volume = {Enclosure(kMeasureBits),
+                                exact ? std::optional<Rational>(0) : std::nullopt};
+    } else {
+      found.uncovered_volume =
+          uncovered_volume(surface, Winding(surface), parts, kMeasureBits, exact, watch);
+    }
   });
   if (found.union_volume) {
     found.excess_volume =
