@@ -81,6 +81,9 @@ struct DecomposeRequest {
   /// Of Cut: how much larger the parts' volumes together may be than the solid's, as a share of it;
   /// >= 0. The excess, and what parts overlap, are within it.
   std::optional<Rational> max_excess = {};
+  /// Of Cut: parts have no common interior, but for what rounding moves their corners, and what
+  /// `faces`, `max_parts`, thickening and loose points make of them: DecompositionApart tells.
+  bool disjoint = false;
   /// >= 1. May lead beyond the limit; the result then says so.
   std::optional<std::size_t> max_parts = {};
   ConcavityMeasure measure = ConcavityMeasure::Surface;  ///< Of Hacd.
@@ -175,6 +178,18 @@ struct DecompositionReach {
   std::size_t cells = 0;    ///< Of the octree that decided.
 };
 
+/// How far parts that are to be disjoint reach into one another, as stored.
+struct DecompositionApart {
+  /// The most that a part reaches beyond a plane between it and another one, squared.
+  Rational squared_push = 0;
+  /// A plane between two parts, `first` < `second`.
+  struct Between {
+    std::size_t first, second;
+    PlaneBetween plane;
+  };
+  std::vector<Between> planes;  ///< Between each two parts, ascending.
+};
+
 /// Of a triangle that several parts hold together.
 inline constexpr std::uint32_t kNoOwner = ~std::uint32_t{0};
 
@@ -192,6 +207,7 @@ struct Decomposition {
   bool limit_holds = true;           ///< Whether every cluster is within the limit.
   std::size_t tested_triangles = 0;  ///< Whose corners were tested against their owner.
   std::optional<DecompositionReach> reach;        ///< With a guard, or merges by reach.
+  std::optional<DecompositionApart> apart;        ///< With `disjoint`.
   std::optional<DecompositionMeasures> measures;  ///< Beside the proof, of the parts as stored.
   std::vector<Stage> stages;
 

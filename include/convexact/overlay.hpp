@@ -115,6 +115,26 @@ struct UncoveredSolid {
 [[nodiscard]] std::optional<RationalPoint> common_interior(const ConvexPart& a,
                                                            const ConvexPart& b);
 
+/// A plane between two parts, half way between the points of both that are farthest beyond it.
+struct PlaneBetween {
+  IntegerVector3 direction;  ///< From the first part to the second, across the plane. Not zero.
+  /// The squared distance that each of them reaches beyond it, in squared length units; 0 if they
+  /// lie on different sides.
+  Rational squared;
+};
+
+/// How far two parts reach beyond the plane across a direction.
+[[nodiscard]] PlaneBetween plane_between(const ConvexPart& a, const ConvexPart& b,
+                                         IntegerVector3 direction);
+
+/// The plane beyond which two parts reach least. That of a facet of one of them is enough if they
+/// do not reach farther than `squared_enough` beyond it; else the hull of all differences of their
+/// vertices has the direction among its facets' normals, since the overlap along a direction is the
+/// distance of its supporting plane from the origin.
+/// @throws Error Stopped when the watch ends the call.
+[[nodiscard]] PlaneBetween plane_between(const ConvexPart& a, const ConvexPart& b,
+                                         const Rational& squared_enough, const Watch& watch = {});
+
 /// The numbers to measure beside what is proven of a decomposition.
 enum class PartMeasures {
   None,

@@ -75,7 +75,7 @@ enum class ClaimCode {
   CoversSurface,         ///< Each point of the input's faces lies in some part.
   CoversSolid,           ///< Each point of the solid that the faces enclose lies in some part.
   WithinSolid,           ///< No point of a part is farther than a distance from the input's solid.
-  PartsDisjoint,         ///< No two parts have a common interior point.
+  PartsDisjoint,         ///< No two parts have a common interior point, up to a tolerance.
   PartsNeeded,           ///< No part lies in another one.
   MaxParts,              ///< At most so many parts.
   MaxPartFacets,         ///< No part has more facets; of a mesh, as meant.

@@ -22,7 +22,8 @@ struct PartsRequest : Budgets {
   /// here must apply for the verdict to hold.
   std::vector<ClaimCode> claims = {};
   /// Distances of faces to their planes (parts-convex), and of points of the input to the union
-  /// (covers-points, covers-surface), that pass. Relative ones refer to the input's diameter.
+  /// (covers-points, covers-surface), that pass; and of points of two parts beyond a plane between
+  /// them (parts-disjoint). Relative ones refer to the input's diameter.
   Tolerance tolerance = {};
   /// How far a point of a part may be from the input's solid, or from its surface if that is open
   /// (within-solid). Asks for covers-solid as well, unless `claims` lists some: both together are a

@@ -43,6 +43,7 @@ DecomposeRequest to_request(const convexact_decompose_options& options) {
     request.max_excess = parse_excess("max_excess", options.max_excess);
   }
   request.effort = chosen(kEfforts, options.effort);
+  request.disjoint = options.disjoint != 0;
   request.seed = options.seed;
   return request;
 }

@@ -4,6 +4,9 @@
 //
 // The numbers in parentheses are the steps of docs/decomposition-proof.md.
 #pragma once
+#include <cmath>
+#include <sstream>
+
 #include "surface.hpp"
 
 namespace check {
@@ -36,10 +39,12 @@ class PartitionProof : public SurfaceProof {
     }
     read_node(box(), std::move(all), 0);
     const std::string reach = read_reach(parts_);
+    const std::string apart = read_apart();
     words_.end();
     return "proven: " + count(parts_.size(), " convex parts hold the ") +
            (is_closed_ ? "solid, all that the surface winds about, and its " : "surface, all ") +
-           count(triangles_.size(), " triangles, by ") + count(leaves_, " regions\n") + reach;
+           count(triangles_.size(), " triangles, by ") + count(leaves_, " regions\n") + reach +
+           apart;
   }
 
   // (14) A part is the hull of its corners, whose facets follow.
@@ -123,6 +128,45 @@ class PartitionProof : public SurfaceProof {
     }
     read_node(std::move(halves[0]), std::move(pieces_of[0]), depth + 1);
     read_node(std::move(halves[1]), std::move(pieces_of[1]), depth + 1);
+  }
+
+  // (17) Between each two parts a direction, along which they have no more in common than twice the
+  // distance that either may reach beyond the plane in the middle.
+  std::string read_apart() {
+    if (!words_.take_if("disjoint")) return "";
+    const Rational squared = words_.rational();
+    expect(squared >= 0, "the square of a length");
+    for (std::size_t second = 0; second < parts_.size(); ++second) {
+      for (std::size_t first = 0; first < second; ++first) apart_.insert({first, second});
+    }
+    while (words_.take_if("between")) {
+      const std::size_t first = words_.id(parts_.size()), second = words_.id(parts_.size());
+      require(apart_.erase({first, second}) == 1, "two parts have no plane, or two");
+      Vector n;
+      for (Rational& x : n) x = words_.rational();
+      require(n[0] != 0 || n[1] != 0 || n[2] != 0, "a plane across no direction");
+      const Rational overlap = ends(parts_[first], n).second - ends(parts_[second], n).first;
+      require(overlap <= 0 || overlap * overlap <= 4 * squared * along(n, n),
+              "a part reaches too far beyond the plane between it and another one");
+    }
+    require(apart_.empty(), "two parts have no plane between them");
+    if (squared == 0) return "proven: no two parts have a common interior point\n";
+    std::ostringstream about;
+    about << std::sqrt(squared.get_d());
+    return "proven: no part reaches farther beyond a plane between it and another one than about " +
+           about.str() + ", the root of " + squared.get_str() + "\n";
+  }
+  static Rational along(const Vector& n, const Vector& x) {
+    return n[0] * x[0] + n[1] * x[1] + n[2] * x[2];
+  }
+  // The least and the most along a direction.
+  static std::pair<Rational, Rational> ends(const PlacedPart& part, const Vector& n) {
+    std::pair<Rational, Rational> ends{along(n, part.corners[0]), along(n, part.corners[0])};
+    for (const Vector& x : part.corners) {
+      ends.first = std::min(ends.first, along(n, x));
+      ends.second = std::max(ends.second, along(n, x));
+    }
+    return ends;
   }
 
   Rational value(const Row& plane, const Vector& x) const {
@@ -237,6 +281,7 @@ class PartitionProof : public SurfaceProof {
   std::vector<PlacedTriangle> placed_;
   bool is_closed_ = false;
   std::vector<PlacedPart> parts_;
+  std::set<Pair> apart_;  // pairs of parts without a plane yet
   std::size_t leaves_ = 0;
 };
 

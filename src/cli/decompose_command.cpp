@@ -245,7 +245,7 @@ void add_decompose_command(Command& program, int& exit_code) {
   finish_command(command, options, exit_code, run_decompose);
   add_stages_option(command, options->global);
   command.show_first({"--method", "--distance", "--effort", "--max-parts", "--max-excess",
-                      "--profile", "--faces", "--total-faces", "--concavity", "--guard", "--merge",
+                      "--disjoint", "--profile", "--faces", "--total-faces", "--concavity", "--guard", "--merge",
                       "--output", "--names", "--picture", "--proof", "--precision", "--measures",
                       "--parts", "--json"});
 }

@@ -42,12 +42,21 @@ void for_pairs(const std::vector<ConvexPart>& parts, const Watch& watch, const L
 
 using Pair = std::pair<std::size_t, std::size_t>;
 
+// Whether there is a plane between two parts beyond which neither reaches farther than is
+// tolerated.
+bool may_reach(const PartsTrial& trial, const ConvexPart& a, const ConvexPart& b) {
+  if (trial.tolerance.value == 0) return false;
+  const Rational squared = trial.tolerance.squared(trial.squared_diameter);
+  return plane_between(a, b, squared, trial.watch("disjoint parts")).squared <= squared;
+}
+
 void judge_disjoint(PartsTrial& trial) {
   std::vector<Pair> overlapping;
   std::optional<RationalPoint> point;
   for_pairs(trial.verdict.hulls, trial.watch("disjoint parts"), [&](std::size_t i, std::size_t k) {
-    auto common = common_interior(trial.verdict.hulls[i], trial.verdict.hulls[k]);
-    if (!common) return;
+    const ConvexPart &a = trial.verdict.hulls[i], &b = trial.verdict.hulls[k];
+    auto common = common_interior(a, b);
+    if (!common || may_reach(trial, a, b)) return;
     if (overlapping.empty() || Pair(i, k) < overlapping.front()) {
       point = std::move(common);
       overlapping.insert(overlapping.begin(), {i, k});
@@ -56,7 +65,10 @@ void judge_disjoint(PartsTrial& trial) {
     }
   });
   if (overlapping.empty()) {
-    return trial.holds(PartsDisjoint, "no two parts have a common interior point");
+    return trial.holds(PartsDisjoint, trial.tolerance.value == 0
+                                          ? "no two parts have a common interior point"
+                                          : "a plane is between each two parts, beyond which "
+                                            "neither reaches farther than is tolerated");
   }
   Witness witness;
   witness.parts = {overlapping.front().first, overlapping.front().second};

@@ -105,7 +105,9 @@ class PartCutter {
       std::vector<Point>& near = pieces.emplace_back();
       for (std::size_t k = 0; k < leaf.size(); ++k) near.push_back(limit.frame()(leaf[PointId(k)]));
     }
-    ReachMergeOptions options{.rounds = rounds_of(request_.effort), .seed = request_.seed};
+    ReachMergeOptions options{.rounds = rounds_of(request_.effort),
+                              .seed = request_.seed,
+                              .keeps_apart = request_.disjoint};
     if (request_.max_parts) options.most_parts = *request_.max_parts;
     if (most_volume_) {
       options.most_volume = to_double(

@@ -12,6 +12,7 @@
 #include "convexact/overlay.hpp"
 #include "decompose/near_concavity.hpp"
 #include "near/frame.hpp"
+#include "number/arithmetic.hpp"
 #include "number/precision.hpp"
 #include "number/text.hpp"
 #include "parts/cut_parts.hpp"
@@ -66,8 +67,8 @@ void require_sensible(const DecomposeRequest& request) {
     if (request.engine == Engine::Float) {
       refuse_request("the engine float applies to hacd only: cut prefers planes in doubles always");
     }
-  } else if (request.max_excess || request.effort != plain.effort) {
-    refuse_request("an effort, and an excess allowed, apply to cut only");
+  } else if (request.max_excess || request.disjoint || request.effort != plain.effort) {
+    refuse_request("an effort, an excess allowed, and disjoint parts, apply to cut only");
   }
   if (request.max_excess && *request.max_excess < 0) {
     refuse_request("the excess allowed is at least 0");
@@ -182,6 +183,7 @@ class Decomposer {
       }
     });
     decide_reach(stored);
+    if (cuts(request_)) find_planes_between(stored);
     if (request_.measures != PartMeasures::None) {
       made_.measures = measure_volumes(made_.surface, stored, request_.measures,
                                        request_.exact_volumes, log_, cuts(request_));
@@ -301,6 +303,25 @@ class Decomposer {
         made_.reach->refused = tree->refused;
       } else {
         made_.limit_holds = made_.reach->farther.empty();
+      }
+    });
+  }
+
+  void find_planes_between(const std::vector<ConvexPart>& stored) {
+    constexpr const char* kStage = "planes between parts";
+    if (!request_.disjoint) return log_.skip(kStage, "not requested");
+    log_.run(kStage, [&] {
+      // About what the merging lets pass. It is only where the search for a plane may end.
+      const Rational enough = scale_by_power_of_two(made_.squared_diameter(), -80);
+      const Watch watch = log_.watch(kStage);
+      DecompositionApart& apart = made_.apart.emplace();
+      for (std::size_t k = 0; k < stored.size(); ++k) {
+        watch.at(k, stored.size());
+        for (std::size_t j = k + 1; j < stored.size(); ++j) {
+          PlaneBetween plane = plane_between(stored[k], stored[j], enough, watch);
+          apart.squared_push = std::max(apart.squared_push, plane.squared);
+          apart.planes.push_back({k, j, std::move(plane)});
+        }
       }
     });
   }

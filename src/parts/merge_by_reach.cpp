@@ -33,13 +33,42 @@ struct Joined {
   double volume = 0;
   NearBox box;
   std::optional<bool> is_allowed = {};
+  std::vector<NearSolid::Plane> planes = {};  // if parts are kept apart
 };
+
+bool overlap(const NearBox& a, const NearBox& b) {
+  return (a.low.array() < b.high.array() - kApart).all() &&
+         (b.low.array() < a.high.array() - kApart).all();
+}
+
+// Whether there is a plane between two hulls: that of a facet of one of them, or of one of all
+// differences of vertices.
+bool are_apart(const Joined& a, const Joined& b) {
+  if (!overlap(a.box, b.box)) return true;
+  for (const auto& [one, other] : {std::pair(&a, &b), std::pair(&b, &a)}) {
+    for (const NearSolid::Plane& plane : one->planes) {
+      const auto is_beyond = [&](const Point& y) {
+        return plane.normal.dot(y) + plane.offset >= -kApart;
+      };
+      if (std::all_of(other->vertices.begin(), other->vertices.end(), is_beyond)) return true;
+    }
+  }
+  std::vector<Point> differences;
+  for (const Point& x : a.vertices) {
+    for (const Point& y : b.vertices) differences.push_back(x - y);
+  }
+  const NearSolid hull = near_solid(differences);
+  return hull.planes.empty() ||
+         std::any_of(hull.planes.begin(), hull.planes.end(),
+                     [](const NearSolid::Plane& plane) { return plane.offset >= -kApart; });
+}
 
 // All hulls that were asked for, so that no question is asked twice.
 class JoinedHulls {
  public:
-  JoinedHulls(std::span<const std::vector<Point>> pieces, ReachLimit& limit, const Watch& watch)
-      : limit_(limit), watch_(watch) {
+  JoinedHulls(std::span<const std::vector<Point>> pieces, ReachLimit& limit, bool keeps_apart,
+              const Watch& watch)
+      : limit_(limit), keeps_apart_(keeps_apart), watch_(watch) {
     for (std::uint32_t k = 0; k < pieces.size(); ++k) add({k}, pieces[k]);
   }
 
@@ -66,6 +95,17 @@ class JoinedHulls {
     return *joined.is_allowed;
   }
 
+  // Whether two hulls may be parts together.
+  bool allows(const Joined& a, const Joined& b) {
+    if (!keeps_apart_) return true;
+    const auto [known, is_new] = apart_.try_emplace(std::minmax(&a, &b), true);
+    if (is_new) {
+      watch_.ask();
+      known->second = are_apart(a, b);
+    }
+    return known->second;
+  }
+
  private:
   Joined& add(PieceSet pieces, std::span<const Point> points) {
     watch_.ask();
@@ -73,11 +113,14 @@ class JoinedHulls {
     auto made =
         std::make_unique<Joined>(Joined{pieces, std::move(solid.vertices), solid.volume, {}, {}});
     for (const Point& y : made->vertices) made->box.include(y);
+    if (keeps_apart_) made->planes = std::move(solid.planes);
     return *(hulls_[std::move(pieces)] = std::move(made));
   }
 
   ReachLimit& limit_;
+  bool keeps_apart_;
   const Watch& watch_;
+  std::map<std::pair<const Joined*, const Joined*>, bool> apart_;
   std::map<PieceSet, std::unique_ptr<Joined>> hulls_;
   std::vector<const PieceSet*> refused_;
 };
@@ -169,6 +212,11 @@ class ReachMerger {
       Joined& both = hulls_.join(*numbered[a], *numbered[b]);
       const double volume = volume_ + both.volume - numbered[a]->volume - numbered[b]->volume;
       if (volume > options_.most_volume || !hulls_.allows(both)) continue;
+      const bool is_apart =
+          std::all_of(alive.begin(), alive.end(), [&, a = a, b = b](std::uint32_t c) {
+            return c == a || c == b || hulls_.allows(both, *numbered[c]);
+          });
+      if (!is_apart) continue;
       volume_ = volume;
       alive.erase(a);
       alive.erase(b);
@@ -202,8 +250,11 @@ class ReachMerger {
       std::sort(order.begin(), order.end());
       const auto place = std::find_if(order.begin(), order.end(), [&](const auto& entry) {
         const auto& [added, k] = entry;
-        return volume + added <= options_.most_volume &&
-               hulls_.allows(hulls_.join(*others[k], hulls_.piece(piece)));
+        if (volume + added > options_.most_volume) return false;
+        Joined& both = hulls_.join(*others[k], hulls_.piece(piece));
+        return hulls_.allows(both) && std::all_of(others.begin(), others.end(), [&](Joined* other) {
+                 return other == others[std::get<1>(entry)] || hulls_.allows(both, *other);
+               });
       });
       if (place == order.end()) return false;
       const auto& [added, k] = *place;
@@ -227,7 +278,7 @@ class ReachMerger {
 
 ReachMerged merge_by_reach(std::span<const std::vector<Point>> pieces, ReachLimit& limit,
                            const ReachMergeOptions& options, const Watch& watch) {
-  JoinedHulls hulls(pieces, limit, watch);
+  JoinedHulls hulls(pieces, limit, options.keeps_apart, watch);
   const double distance = limit.frame().root_up(limit.squared_limit());
   Random random(options.seed);
   std::optional<ReachMerger> best;

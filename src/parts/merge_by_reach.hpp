@@ -22,7 +22,13 @@ struct ReachMergeOptions {
   std::size_t most_parts = 0;
   /// A volume in the frame that the parts' volumes together must not exceed.
   double most_volume = HUGE_VAL;
+  /// Each two parts must have a plane between them, up to kApart, except for `most_parts`.
+  bool keeps_apart = false;
 };
+
+/// What parts may reach beyond a plane between them, in the frame, where coordinates are at most 2:
+/// about what rounding makes of a common facet.
+inline constexpr double kApart = 0x1p-42;
 
 /// The pieces of each part, ascending; the parts in the order of their lowest pieces.
 struct ReachMerged {

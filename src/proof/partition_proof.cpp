@@ -39,6 +39,7 @@ class PartitionWriter {
     }
     write_node(0);
     if (made_.reach) write_reach(made_, request_, out_);
+    if (made_.apart) write_apart(*made_.apart);
     return out_.finish();
   }
 
@@ -71,6 +72,14 @@ class PartitionWriter {
       out_.line("node", "part", part->second);
     } else {
       out_.line("node", "empty");
+    }
+  }
+
+  void write_apart(const DecompositionApart& apart) {
+    out_.line("disjoint", apart.squared_push);
+    for (const auto& [first, second, plane] : apart.planes) {
+      const IntegerVector3& n = plane.direction;
+      out_.line("between", first, second, n[0], n[1], n[2]);
     }
   }
 

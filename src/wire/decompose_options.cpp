@@ -59,6 +59,9 @@ Fields<DecomposeRequest> make_fields() {
           },
           "cut only: how much larger the volumes of the parts together may be than the "
           "solid's: a share of it, 20%"),
+      flag_field<R>("disjoint", &R::disjoint,
+                    "cut only: parts have no common interior, but for what rounding moves their "
+                    "corners, which is told and proven; takes more parts"),
       choice_field<R>(
           "close", &R::close, kCloseNames,
           "for cut, guard and merge: a surface whose borders are all at most a quarter of "

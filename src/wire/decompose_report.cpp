@@ -140,6 +140,19 @@ Json concavity_json(const Concavity& concavity, const Rational& squared_diameter
           {"leaves", vector_json(concavity.leaves)}};
 }
 
+// How far parts reach beyond planes between them, and the planes.
+Json apart_json(const DecompositionApart& apart) {
+  Json planes = Json::array();
+  for (const auto& [first, second, plane] : apart.planes) {
+    Json direction = Json::array();
+    for (const Integer& x : plane.direction) direction.push_back(to_string(Rational(x)));
+    planes.push_back({{"parts", {first, second}}, {"direction", std::move(direction)}});
+  }
+  return {{"squared_push", to_string(apart.squared_push)},
+          {"push", interval_json(enclosed_root_of(apart.squared_push))},
+          {"planes", std::move(planes)}};
+}
+
 // Which parts reach farther than allowed, with a point that does, or with bounds.
 Json reach_json(const DecompositionReach& reach, const DecomposeRequest& request) {
   Json farther = Json::array();
@@ -346,6 +359,7 @@ Json decomposition_json(const Decomposition& decomposition, const DecomposeReque
         {"largest", interval_json(enclosed_root_of(decomposition.squared_largest_cap))}};
   }
   if (decomposition.reach) json["reach"] = reach_json(*decomposition.reach, request);
+  if (decomposition.apart) json["disjoint"] = apart_json(*decomposition.apart);
   json["precision"] = name_in(kPrecisionNames, request.precision);
   json["verified"] = {{"triangles", decomposition.tested_triangles}, {"violations", 0}};
   if (const auto& measures = decomposition.measures) {

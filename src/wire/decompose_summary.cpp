@@ -222,6 +222,16 @@ std::string measures_lines(const DecompositionMeasures& measures) {
                                                   interval_text(*measures.overlap_volume)));
 }
 
+std::string apart_line(const Decomposition& decomposition) {
+  if (!decomposition.apart) return "";
+  const Rational& squared = decomposition.apart->squared_push;
+  return summary_line(
+      "disjoint", squared == 0 ? "no two parts have a common interior point, proven"
+                               : "a plane is between each two parts, beyond which neither reaches "
+                                 "farther than " +
+                                     length_text(squared, decomposition) + ", proven");
+}
+
 // What the solid lacks, first of all: a result with voids does not begin with what it covers.
 std::string hollow_line(const Decomposition& decomposition) {
   const auto& measures = decomposition.measures;
@@ -346,8 +356,8 @@ std::string summary(const Decomposition& decomposition, const DecomposeRequest& 
     text += summary_line("", counted(inner, "cluster", "clusters") +
                                  " inside of other parts left out; --keep-inner keeps such parts");
   }
-  text +=
-      hollow_line(decomposition) + reach_lines(decomposition, names) + way_out_notes(decomposition);
+  text += hollow_line(decomposition) + reach_lines(decomposition, names) +
+          apart_line(decomposition) + way_out_notes(decomposition);
   text += summary_line("input", surface_text(decomposition.surface));
   text += surface_notes(decomposition.surface);
   const auto* partition = std::get_if<Partition>(&decomposition.origin);

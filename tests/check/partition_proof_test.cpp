@@ -115,6 +115,44 @@ TEST_CASE("partition proof: other planes, and other parts for a region") {
   CHECK(refused > 0);
 }
 
+TEST_CASE("partition proof: planes between disjoint parts") {
+  DecomposeRequest request;
+  request.method = DecomposeMethod::Cut;
+  request.close = Close::Never;
+  request.disjoint = true;
+  const ProofText original(proof_of_parts(mesh_of_cells(hollow()), request));
+  const CheckerVerdict accepted = check_proof(original.text());
+  CHECK(accepted.exit_code == 0);
+  CHECK(says(accepted, "proven: no two parts have a common interior point"));
+  const std::vector<std::size_t> planes = original.all("between");
+  REQUIRE(planes.size() == 15);  // of six parts
+  for (const std::size_t l : planes) {
+    CAPTURE(l);
+    const auto refuses = [&](auto&& change) {
+      ProofText proof = original;
+      change(proof.lines);
+      CHECK(check_proof(proof.text(true)).exit_code == 1);
+    };
+    refuses([&](auto& lines) { lines.erase(lines.begin() + static_cast<long>(l)); });
+    refuses([&](auto& lines) { lines.insert(lines.begin() + static_cast<long>(l), lines[l]); });
+    refuses([&](auto& lines) { std::swap(lines[l][1], lines[l][2]); });
+    refuses([&](auto& lines) {
+      for (std::size_t k = 3; k < 6; ++k) lines[l][k] = "0";
+    });
+    // The parts are one beside the other, and no plane is between them the other way round.
+    refuses([&](auto& lines) {
+      for (std::size_t k = 3; k < 6; ++k) {
+        std::string& word = lines[l][k];
+        word = word == "0" ? word : word[0] == '-' ? word.substr(1) : "-" + word;
+      }
+    });
+  }
+  // What is allowed for is believed no further than it is so.
+  ProofText less = original;
+  less.lines[original.all("disjoint")[0]][1] = "-1";
+  CHECK(check_proof(less.text()).exit_code != 0);
+}
+
 // A cube of 2, cut into octants by hand; one part for each, but none has the middle of the cube.
 TEST_CASE("partition proof: a corner of a region inside of the solid must be held") {
   std::string text = "convexact-proof 6 partition\n";

@@ -97,6 +97,30 @@ TEST_CASE("decompose cut: JSON, trace, picture, tree and proof of one run") {
   CHECK(run_program("verify " + input + " " + scratch.file("tree.json") + " --union").exit == 0);
 }
 
+TEST_CASE("decompose cut: disjoint parts") {
+  const ScratchFolder scratch;
+  const std::string input = scratch.write("u.obj", cells_obj(kU)),
+                    parts = scratch.file("parts.obj");
+  const auto ran = run_program("decompose --disjoint " + input + " -o " + parts);
+  CHECK(ran.exit == 0);
+  CHECK(ran.out.find("disjoint    no two parts have a common interior point, proven") !=
+        std::string::npos);
+  const json answer = program_json("decompose --disjoint " + input, "decompose");
+  CHECK(answer["disjoint"]["squared_push"] == "0");
+  CHECK(answer["disjoint"]["planes"].size() == 3);
+  const std::string asks = " --union --claims parts-disjoint";
+  CHECK(run_program("verify " + input + " " + parts + asks).exit == 0);
+  CHECK(run_program("decompose --method hacd --disjoint " + input).exit == 2);
+  // Two bars that have a cell in common: half a cell beyond a plane in the middle of it.
+  const std::string crossing = scratch.write(
+      "crossing.json", R"({"parts": [{"vertices": [[0,0,0],[2,0,0],[2,1,0],[0,1,0],[0,0,1],)"
+                       R"([2,0,1],[2,1,1],[0,1,1]]}, {"vertices": [[1,0,0],[3,0,0],[3,1,0],)"
+                       R"([1,1,0],[1,0,1],[3,0,1],[3,1,1],[1,1,1]]}]})");
+  CHECK(run_program("verify " + input + " " + crossing + asks).exit == 1);
+  CHECK(run_program("verify " + input + " " + crossing + asks + " --tolerance 0.49").exit == 1);
+  CHECK(run_program("verify " + input + " " + crossing + asks + " --tolerance 0.5").exit == 0);
+}
+
 TEST_CASE("decompose cut: a number of parts, and parts that fit a program") {
   const ScratchFolder scratch;
   const std::string input = scratch.write("u.obj", cells_obj(kU));

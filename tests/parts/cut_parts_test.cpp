@@ -191,6 +191,43 @@ TEST_CASE("cut parts: an excess that is allowed is not exceeded") {
   }
 }
 
+TEST_CASE("cut parts: disjoint parts, but for roundings") {
+  for (const char* name : {"cases/cup", "cases/house", "cases/bin"}) {
+    CAPTURE(name);
+    const Mesh mesh = shipped(name);
+    DecomposeRequest request = cutting();
+    request.disjoint = true;
+    const Decomposition made = cut_of(mesh, request);
+    check_guarantee(mesh, made, request);
+    REQUIRE(made.apart);
+    const std::size_t count = made.parts.size();
+    CHECK(made.apart->planes.size() == count * (count - 1) / 2);
+    // As rounding does: 2^-40 of the diameter is far more.
+    const Rational rounding = made.squared_diameter() / Rational(Integer(1) << 80);
+    CHECK(made.apart->squared_push <= rounding);
+    CHECK(made.measures->overlap_volume->exact < *made.measures->solid_volume->exact / 1000000);
+    for (const auto& [first, second, plane] : made.apart->planes) {
+      const auto hull = [&](std::size_t k) { return convex_part(made.parts[k].mesh.points); };
+      CHECK(plane_between(hull(first), hull(second), plane.direction).squared <=
+            made.apart->squared_push);
+    }
+    // The oracle, which finds its own planes.
+    PartsRequest asked;
+    asked.claims = {ClaimCode::PartsDisjoint};
+    asked.measures = PartMeasures::None;
+    asked.tolerance = {Rational(1, 1000000000000), true};
+    CHECK(verify_parts(mesh, named(made), asked)[ClaimCode::PartsDisjoint].status == Status::Holds);
+    request.disjoint = false;
+    const Decomposition plain = cut_of(mesh, request);
+    CHECK(!plain.apart);
+    CHECK(plain.parts.size() <= count);
+    if (std::string(name) != "cases/cup") continue;
+    // These overlap by far more.
+    CHECK(verify_parts(mesh, named(plain), asked)[ClaimCode::PartsDisjoint].status ==
+          Status::Violated);
+  }
+}
+
 TEST_CASE("cut parts: parts that are simplified stay within the distance") {
   const Mesh mesh = shipped("cases/tube");
   DecomposeRequest request = cutting();
@@ -271,6 +308,11 @@ TEST_CASE("cut parts: what does not apply is refused") {
     r.method = DecomposeMethod::Hacd;
     r.distance.reset();
     r.effort = CutEffort::High;
+  });
+  refuses([](DecomposeRequest& r) {
+    r.method = DecomposeMethod::Hacd;
+    r.distance.reset();
+    r.disjoint = true;
   });
   Mesh point = mesh;
   point.points = PointSet(std::vector<Point>(8, Point(1, 2, 3)));

@@ -124,7 +124,7 @@ TEST_CASE("fields: what is read is written again") {
   }
   CHECK(written ==
         "method=acd concavity=1/8 max_parts=7 guard=none merge=none distance=3% effort=normal "
-        "max_excess=none close=auto "
+        "max_excess=none disjoint= close=auto "
         "measure=surface "
         "bridge=farther coplanar=0.99 faces= "
         "total_faces= flat=auto keep_inner= connect=edge orient=auto loose=part engine=filtered "
