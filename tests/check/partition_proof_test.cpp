@@ -17,7 +17,7 @@ using support::mesh_of_cells;
 
 namespace {
 
-std::string proof_of_cuts(const Mesh& mesh, const char* share = "1/50") {
+std::string proof_of_cuts(const Mesh& mesh, const char* share = "1/20") {
   DecomposeRequest request;
   request.method = DecomposeMethod::Cut;
   request.distance = ConcavityLimit{parse_rational(share), true};
@@ -60,7 +60,7 @@ TEST_CASE("partition proof: what cut writes is accepted") {
     const CheckerVerdict verdict = check_proof(text);
     CHECK(verdict.exit_code == 0);
     CHECK(says(verdict, is_open ? "convex parts hold the surface" : "convex parts hold the solid"));
-    CHECK(says(verdict, "proven: no point of a part is farther than 1/50"));
+    CHECK(says(verdict, "proven: no point of a part is farther than 1/20"));
   }
 }
 
@@ -120,8 +120,12 @@ TEST_CASE("partition proof: planes between disjoint parts") {
   request.method = DecomposeMethod::Cut;
   request.close = Close::Never;
   request.disjoint = true;
-  const ProofText original(proof_of_parts(mesh_of_cells(hollow()), request));
-  const CheckerVerdict accepted = check_proof(original.text());
+  ProofText original(proof_of_parts(mesh_of_cells(hollow()), request));
+  // Without the claim of reach, which takes most of the time.
+  std::erase_if(original.lines, [](const std::vector<std::string>& words) {
+    return words[0] == "reach" || words[0] == "root" || words[0] == "cell" || words[0] == "beyond";
+  });
+  const CheckerVerdict accepted = check_proof(original.text(true));
   CHECK(accepted.exit_code == 0);
   CHECK(says(accepted, "proven: no two parts have a common interior point"));
   const std::vector<std::size_t> planes = original.all("between");

@@ -98,7 +98,7 @@ void check_promises(const Mesh& mesh, const char* share = "3/100") {
 
 }  // namespace
 
-TEST_CASE("cut parts: thin walls") {
+TEST_CASE("cut parts: thin walls" * sweep) {
   for (const double wall : {1e-1, 1e-3, 1e-6, 1e-9, 1e-12}) {
     CAPTURE(wall);
     check_promises(bin(wall));
@@ -117,7 +117,7 @@ TEST_CASE("cut parts: needles, and slabs that are turned" * sweep) {
   }
 }
 
-TEST_CASE("cut parts: far from the origin, huge and tiny") {
+TEST_CASE("cut parts: far from the origin, huge and tiny" * sweep) {
   // A corner that is rounded moves by 0.002 there, well below the distance.
   check_promises(bin(0.125, 1, 1e13));
   check_promises(bin(0.125, 1024, 0x1p50));
