@@ -13,6 +13,7 @@
 #include "lab/commands.hpp"
 #include "lab/report/report.hpp"
 #include "simplify/run_names.hpp"
+#include "wire/decompose_options.hpp"
 
 namespace convexact::cli {
 
@@ -29,6 +30,7 @@ constexpr const char* kReportFooter =
     "  convexact report bunny.obj --sections precision,tightness --repetitions 9\n"
     "  convexact report bunny.obj --sections tightness --cost area\n"
     "  convexact report --sections stability --family needle --family slab\n"
+    "  convexact report spot.obj --sections parts\n"
     "\n"
     "Writes report.html, which opens without a network, and the same numbers as report.json\n"
     "(docs/schema/report.schema.json) and report.csv. docs/report.md says how to read them.";
@@ -48,7 +50,8 @@ ReportSections parse_sections(const std::string& text) {
                                                   {&ReportSections::tightness, "tightness"},
                                                   {&ReportSections::stages, "stages"},
                                                   {&ReportSections::scaling, "scaling"},
-                                                  {&ReportSections::stability, "stability"}});
+                                                  {&ReportSections::stability, "stability"},
+                                                  {&ReportSections::parts, "parts"}});
   ReportSections sections;
   for (const auto& [section, name] : kSections) sections.*section = false;
   for (const Section section : parse_words("--sections", text, kSections)) {
@@ -76,10 +79,31 @@ std::string seconds_text(const std::optional<Spread>& seconds) {
   return seconds ? fmt::format("{:.3g} s", seconds->median) : "over budget";
 }
 
+std::string percent_or_none(const std::optional<double>& share) {
+  return share ? fmt::format("{:.3g}%", 100 * *share) : std::string("-");
+}
+
+std::string parts_table(const InputReport& input) {
+  if (input.parts.empty()) return "";
+  std::string text = fmt::format("  {:<10}  {:>6}  {:>12}  {:>6}  {:>9}  {:>9}  {:>9}\n", "method",
+                                 "limit", "time", "parts", "distance", "excess", "uncovered");
+  for (const PartsPoint& point : input.parts) {
+    text += fmt::format("  {:<10}  {:>5}%  {:>12}", name_in(kDecomposeMethodNames, point.method),
+                        100 * point.limit, seconds_text(point.seconds));
+    if (point.seconds) {
+      text +=
+          fmt::format("  {:>6}  {:>9}  {:>9}  {:>9}", point.parts, percent_or_none(point.distance),
+                      percent_or_none(point.excess), percent_or_none(point.uncovered));
+    }
+    text += "\n";
+  }
+  return text;
+}
+
 std::string summary_of(const ReportData& report, const std::string& folder) {
   std::string text;
   for (const InputReport& input : report.inputs) {
-    text += fmt::format("{}: {} halfspaces\n", input.name, input.halfspaces);
+    text += fmt::format("{}: {} halfspaces\n", input.name, input.halfspaces) + parts_table(input);
     if (!input.precision) continue;
     text += fmt::format("  {:<10}  {:>12}  {:>12}  {:>14}  {:>11}\n", "way", "time", "cost error",
                         "volume error", "wrong step");
@@ -107,7 +131,8 @@ int run_report(const ReportArguments& options) {
   std::vector<SceneObject> scene = read_scene(options.inputs, options.scene);
   ReportData report;
   for (const SceneObject& object : scene) {
-    auto measured = measure_input(without_folder(object.name), object.shape, request);
+    auto measured =
+        measure_input(without_folder(object.name), object.shape, request, object.polygons);
     if (const auto* reason = std::get_if<NotSolid>(&measured)) {
       return report_not_solid(options.global, object.name, of_typed_rows(*reason, object.rows));
     }
@@ -137,7 +162,10 @@ void add_report_command(Command& program, int& exit_code) {
                      "meshes or halfspaces; without any, only the sections that need no input");
   command.add_option("-o,--output", options->folder, "the folder for the files; made if missing")
       ->capture_default_str();
-  command.add_option("--sections", options->sections, "what to measure")->capture_default_str();
+  command
+      .add_option("--sections", options->sections,
+                  "what to measure; also parts: of decompositions by cut, hacd and acd")
+      ->capture_default_str();
   ReportRequest& request = options->request;
   add_faces(command, request.faces, "halfspaces at which runs end, at least 4");
   add_choice(command, "--cost", request.cost, kCostMeasureNames,

@@ -112,6 +112,12 @@ def check_libraries():
         assert library.name in readme and total in readme, f"the checksum of {library.name}"
 
 
+# A prism over an L.
+CORNERS = [(0, 0), (2, 0), (2, 1), (1, 1), (1, 2), (0, 2)]
+L_PRISM = "".join(f"v {x} {y} {z}\n" for z in (0, 1) for x, y in CORNERS) + "f 6 5 4 3 2 1\nf 7 8 9 10 11 12\n" + "".join(
+    f"f {k + 1} {(k + 1) % 6 + 1} {(k + 1) % 6 + 7} {k + 7}\n" for k in range(6))
+
+
 def main():
     program = sys.argv[1]
     check_libraries()
@@ -123,6 +129,12 @@ def main():
         subprocess.run([program, "generate", "random-ball", "--points", "200", "-o", "a <b>.obj"], check=True)
         subprocess.run([program, "report", "a <b>.obj", "-o", "out", "--repetitions", "2", "--budget", "2",
                         "--family", "needle", "--family", "scaled-ball"], check=True, stdout=subprocess.DEVNULL)
+        pathlib.Path("l.obj").write_text(L_PRISM, encoding="utf-8")
+        subprocess.run([program, "report", "l.obj", "-o", "parts", "--repetitions", "2", "--sections", "parts"], check=True,
+                       stdout=subprocess.DEVNULL)
+        parts = json.loads(pathlib.Path("parts/report.json").read_text(encoding="utf-8"))
+        assert len(parts["inputs"][0]["parts"]["points"]) == 12
+        check_page(pathlib.Path("parts/report.html").resolve().as_uri(), parts)
         report = json.loads(pathlib.Path("out/report.json").read_text(encoding="utf-8"))
         url = pathlib.Path("out/report.html").resolve().as_uri()
         for how in ({}, {"media": [("prefers-color-scheme", "dark")]}, {"width": 400}):

@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
+#include "cells.hpp"
 #include "convexact/measure.hpp"
 #include "convexact/number.hpp"
 #include "convexact/shapes.hpp"
@@ -241,6 +242,45 @@ TEST_CASE("report: the files conform, and the page carries the JSON" * sweep) {
   const std::size_t from = page.find(start) + start.size();
   const std::string carried = page.substr(from, page.find("</script>", from) - from);
   CHECK(nlohmann::json::parse(carried) == read);
+}
+
+TEST_CASE("report: parts of an L of cells, by every method" * sweep) {
+  const Mesh mesh = support::mesh_of_cells({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}});
+  const std::vector<PartsPoint> points = measure_parts_curve(mesh, little());
+  REQUIRE(points.size() == 12);
+  for (const PartsPoint& point : points) {
+    CAPTURE(point.limit);
+    REQUIRE(point.seconds);
+    REQUIRE(point.excess);
+    REQUIRE(point.uncovered);
+    // The middle of the notch is 1/2 from the solid, of a diameter of 3, along its diagonal.
+    // Volumes are enclosures, and distances upper bounds to about a thousandth of the diameter.
+    const bool is_exact = *point.excess < 1e-9;
+    CHECK(is_exact == (point.parts == 2));
+    CHECK(*point.distance >= (is_exact ? 0 : std::sqrt(0.5) / 3));
+    CHECK(*point.distance <= (is_exact ? 0 : std::sqrt(0.5) / 3) + 0.002);
+    if (point.method != DecomposeMethod::Cut) continue;
+    CHECK(*point.uncovered == 0);
+    CHECK(point.parts == 2);
+  }
+
+  ReportRequest request;
+  request.effort = little();
+  request.sections = {false, false, false, false, false, true};
+  ReportData report;
+  report.inputs.push_back(
+      std::get<InputReport>(measure_input("l.obj", mesh.points, request, mesh.polygons)));
+  CHECK(report.inputs[0].parts.size() == 12);
+  const Json json = report_json(report, request,
+                                {.version = "convexact",
+                                 .commit = "unknown",
+                                 .compiler = "GCC",
+                                 .flags = "-O2",
+                                 .machine = this_machine()});
+  CHECK(schema_complaint("report", nlohmann::json::parse(write_json(json))) == "");
+  CHECK(report_csv(json).find("parts,l.obj,limit 0.03,cut,parts,2,1\r\n") != std::string::npos);
+  // Points have no parts.
+  CHECK(std::get<InputReport>(measure_input("p.obj", mesh.points, request)).parts.empty());
 }
 
 TEST_CASE("report: every swept family exists, with its parameter") {

@@ -34,8 +34,9 @@ std::string entry_of(const char* file, const std::string& name) {
 
 }  // namespace
 
-std::variant<InputReport, NotSolid> measure_input(const std::string& name, const Shape& shape,
-                                                  const ReportRequest& request) {
+std::variant<InputReport, NotSolid> measure_input(
+    const std::string& name, const Shape& shape, const ReportRequest& request,
+    const std::vector<std::vector<std::uint32_t>>& polygons) {
   require_sensible(request);
   Effort effort = request.effort;
   if (effort.progress) {
@@ -62,6 +63,12 @@ std::variant<InputReport, NotSolid> measure_input(const std::string& name, const
   const auto* points = std::get_if<PointSet>(&shape);
   if (request.sections.scaling && points != nullptr) {
     report.scaling = measure_scaling(nested_subsets(*points, kLeastPoints, effort.seed), effort);
+  }
+  if (request.sections.parts && points != nullptr && !polygons.empty()) {
+    Mesh mesh;
+    mesh.points = *points;
+    mesh.polygons = polygons;
+    report.parts = measure_parts_curve(mesh, effort);
   }
   return report;
 }

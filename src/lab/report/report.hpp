@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "io/json_document.hpp"
+#include "lab/report/parts_curve.hpp"
 #include "lab/report/run_times.hpp"
 #include "lab/report/tightness_curve.hpp"
 #include "lab/report/work_precision.hpp"
@@ -21,6 +22,7 @@ struct ReportSections {
   bool stages = true;     ///< Time by stage, and the time that skipping stages saves.
   bool scaling = true;    ///< Time by size.
   bool stability = true;  ///< Error against stiffness.
+  bool parts = false;     ///< Of decompositions: distance, excess and number against time.
 };
 
 struct ReportRequest {
@@ -41,6 +43,7 @@ struct InputReport {
   std::optional<TightnessCurve> tightness;
   std::vector<RunTimes> stages;
   std::vector<ScalingSeries> scaling;  ///< Over subsets of the points; empty for halfspaces.
+  std::vector<PartsPoint> parts;       ///< Empty for points and halfspaces.
 };
 
 struct ReportData {
@@ -50,9 +53,10 @@ struct ReportData {
 };
 
 /// Measures one input. @throws Error InvalidArgument for an invalid request; Stopped.
-[[nodiscard]] std::variant<InputReport, NotSolid> measure_input(const std::string& name,
-                                                                const Shape& shape,
-                                                                const ReportRequest& request);
+/// @param polygons  Of points: the faces that the section parts is about.
+[[nodiscard]] std::variant<InputReport, NotSolid> measure_input(
+    const std::string& name, const Shape& shape, const ReportRequest& request,
+    const std::vector<std::vector<std::uint32_t>>& polygons = {});
 /// The measurements that do not depend on the inputs: spheres and stability.
 void measure_families(ReportData& report, const ReportRequest& request);
 

@@ -10,6 +10,7 @@
 #include "lab/report/report_parts.hpp"
 #include "pages/page_parts.hpp"
 #include "simplify/run_names.hpp"
+#include "wire/decompose_options.hpp"
 
 namespace convexact {
 namespace {
@@ -111,6 +112,23 @@ Json scaling_json(const std::vector<ScalingSeries>& list) {
   return all;
 }
 
+Json parts_json(const std::vector<PartsPoint>& points) {
+  Json list = Json::array();
+  for (const PartsPoint& point : points) {
+    Json entry = {{"method", name_in(kDecomposeMethodNames, point.method)},
+                  {"limit", point.limit},
+                  {"seconds", spread_json(point.seconds)}};
+    if (point.seconds) {
+      entry["parts"] = point.parts;
+      entry["distance"] = number_or_null(point.distance);
+      entry["excess"] = number_or_null(point.excess);
+      entry["uncovered"] = number_or_null(point.uncovered);
+    }
+    list.push_back(entry);
+  }
+  return list;
+}
+
 // Commands, with the options that a figure depends on.
 class Commands {
  public:
@@ -132,6 +150,12 @@ class Commands {
   }
   std::string stages(const std::string& input) const {
     return fmt::format("convexact simplify {} --faces {} --engine ENGINE --json", input, faces_);
+  }
+  std::vector<std::string> parts(const std::string& input) const {
+    return {section(input, "parts"),
+            fmt::format("convexact decompose {0} --method METHOD -o parts.obj; convexact verify "
+                        "{0} parts.obj --union --json",
+                        input)};
   }
   static std::string shape(const Breakdown& family) {
     return fmt::format("convexact generate {} --{} VALUE -o shape.obj", family.family,
@@ -180,6 +204,9 @@ Json input_json(const InputReport& input, const Commands& commands) {
     json["scaling"] =
         figure({{"series", scaling_json(input.scaling)}}, {commands.section(name, "scaling")});
   }
+  if (!input.parts.empty()) {
+    json["parts"] = figure({{"points", parts_json(input.parts)}}, commands.parts(name));
+  }
   return json;
 }
 
@@ -221,6 +248,10 @@ constexpr Quantity kErrors[] = {{"/left", "left", "1"},
                                 {"/first_other", "first other step", "1"},
                                 {"/first_wrong/step", "first wrong step", "1"},
                                 {"/excess", "excess volume", "relative"}};
+constexpr Quantity kParts[] = {{"/parts", "parts", "1"},
+                               {"/distance", "distance", "diameters"},
+                               {"/excess", "excess volume", "of the solid"},
+                               {"/uncovered", "uncovered volume", "of the solid"}};
 constexpr Quantity kLaw[] = {{"/exponent", "exponent", "1"},
                              {"/standard_error", "standard error of the exponent", "1"}};
 
@@ -306,6 +337,14 @@ void add_input_rows(std::string& csv, const Json& input) {
       for (const Json& stage : run.at("stages")) {
         rows.add(stage.at("name").text(), run.at("run").text(), stage, kSeconds);
       }
+    }
+  }
+  if (input.contains("parts")) {
+    CsvRows rows(csv, "parts", name);
+    for (const Json& point : input["parts"].at("points")) {
+      const std::string limit = "limit " + value_text(point, "/limit");
+      rows.add(limit, point.at("method").text(), point, kSeconds);
+      rows.add(limit, point.at("method").text(), point, kParts);
     }
   }
   if (input.contains("scaling")) CsvRows(csv, "scaling", name).add_scaling(input["scaling"]);

@@ -276,6 +276,39 @@ function tightnessFigures(parent, input, base) {
   });
 }
 
+// --- parts of decompositions ------------------------------------------------------------------------
+
+const kMethods = ["cut", "hacd", "acd"];
+const kNothing = 1e-9;  // volumes are enclosures, so that none at all is a little
+
+function partsFigures(parent, input, base) {
+  const {points, commands} = input.parts, p = `${base}/parts/points`;
+  const done = points.map((point, i) => [point, i]).filter(([point]) => point.seconds);
+  const percent = x => x === null ? "unknown" : `${text(100 * x)}%`;
+  const tables = () => [table("Limit: the distance of cut, the concavity of hacd and acd, over the diameter; excess and uncovered: shares of the solid's volume",
+    ["method", "limit", "parts", "distance / diameter", "excess", "uncovered", ...spreadHeads],
+    points.map((point, i) => [point.method, numberCell(`${p}/${i}/limit`), ...(point.seconds
+      ? [...["parts", "distance", "excess", "uncovered"].map(key => numberCell(`${p}/${i}/${key}`)), ...spreadCells(`${p}/${i}/seconds`)]
+      : [wordsCell("over budget")])]))];
+  const lines = point => [`${point.method}, limit ${percent(point.limit)}: ${point.parts} parts`, `distance ${percent(point.distance)} of the diameter`,
+    `excess ${percent(point.excess)}, uncovered ${percent(point.uncovered)} of the solid`, spread(point.seconds)];
+  const plot = (key, title, how, yTitle) => figure(parent, {
+    title: `${title}: ${input.name}`, short: title, how, made: commands, tables: key === "distance" ? tables() : [],
+    configure: () => ({
+      type: "scatter",
+      data: {datasets: kMethods.map((method, k) => series(method, k,
+        done.filter(([point]) => point.method === method && point[key] > kNothing).map(([point, i]) => ({
+          x: point.seconds.median, y: point[key], name: percent(point.limit), point,
+          spread: {axis: "x", ...point.seconds}, pointer: `${p}/${i}/${key}`})), {named: true, showLine: true}))},
+      options: options({x: secondsAxis("time of the decomposition", done.map(([point]) => point.seconds)),
+        y: key === "parts" ? axis(yTitle, {ticks: {callback: countTick}}) : axis(yTitle)}, m => lines(m.point))
+    })
+  });
+  plot("distance", "Distance of parts against time", "Lower is nearer: the larger distance of surface and parts from each other, as convexact verify measures it. Labels give the limit that was asked for.", "distance / diameter");
+  plot("excess", "Excess of parts against time", "Lower is tighter: the volume of the parts outside of the solid; without a mark there is none. What parts leave uncovered is in the table.", "excess / volume of the solid");
+  plot("parts", "Number of parts against time", "Lower is fewer.", "parts");
+}
+
 // --- stages and sizes -----------------------------------------------------------------------------
 
 function stagesFigure(parent, input, base) {
@@ -413,6 +446,7 @@ function build() {
     const figures = grid(part);
     if (input.precision) { precisionFigure(figures, input, base); part.insertBefore(orderSummary(input), figures); }
     if (input.tightness) tightnessFigures(figures, input, base);
+    if (input.parts) partsFigures(figures, input, base);
     if (input.stages) stagesFigure(figures, input, base);
     if (input.scaling) scalingFigure(figures, `Time by size: subsets of ${input.name}`, input.scaling, `${base}/scaling`);
   });
