@@ -9,6 +9,7 @@
 #include "convexact/io.hpp"
 #include "io/json_document.hpp"
 #include "lab/commands.hpp"
+#include "lab/stress/parts_stress.hpp"
 #include "lab/stress/stress.hpp"
 #include "lab/stress/stress_report.hpp"
 #include "simplify/run_names.hpp"
@@ -28,6 +29,7 @@ constexpr const char* kStressFooter =
     "  convexact stress my_mesh.obj                 scaled and moved\n"
     "  convexact stress lattice --cost area         greedy by area\n"
     "  convexact stress lattice --search local      and a search from where it ends\n"
+    "  convexact stress --parts                     solids cut into parts: walls, needles, shells\n"
     "  convexact stress --json > stress.json\n"
     "\n"
     "Columns: early: runs that end above the wanted number; diff: runs that removed a halfspace\n"
@@ -46,7 +48,7 @@ struct StressArguments {
   SearchRequest search{.kicks = 20};
   StressLimits limits{120, std::uint64_t(4) << 30};
   std::size_t jobs = 2;
-  bool list = false, cases = false;
+  bool list = false, cases = false, parts = false;
 };
 
 // The meshes of the default sweep.
@@ -77,6 +79,52 @@ std::vector<StressFamily> chosen_families(const StressArguments& options) {
   families.assign(stress_families().begin(), stress_families().end());
   for (const char* mesh : kMeshes) families.push_back(shipped_mesh(mesh));
   return families;
+}
+
+std::vector<PartsFamily> chosen_parts_families(const StressArguments& options) {
+  const std::span<const PartsFamily> all = parts_families();
+  if (options.families.empty()) return {all.begin(), all.end()};
+  std::vector<PartsFamily> chosen;
+  for (const std::string& word : options.families) {
+    const auto found = std::find_if(all.begin(), all.end(),
+                                    [&](const PartsFamily& family) { return family.name == word; });
+    if (found == all.end()) {
+      std::string names;
+      for (const PartsFamily& family : all) names += (names.empty() ? "" : ", ") + family.name;
+      throw Error(ErrorCode::InvalidArgument,
+                  "no family '" + word + "' of solids to take apart: expected one of " + names);
+    }
+    chosen.push_back(*found);
+  }
+  return chosen;
+}
+
+int run_parts(const StressArguments& options) {
+  const std::vector<PartsFamily> families = chosen_parts_families(options);
+  if (options.list) {
+    Json list = Json::array();
+    std::string text;
+    for (const PartsFamily& family : families) {
+      list.push_back({{"name", family.name},
+                      {"description", family.description},
+                      {"parameter", family.parameter},
+                      {"values", family.values}});
+      text += fmt::format("{:<20} {}\n{:<20}   {}: {:g}\n", family.name, family.description, "",
+                          family.parameter, fmt::join(family.values, ", "));
+    }
+    options.global.json ? print(Json{{"families", list}}) : print(text);
+    return 0;
+  }
+  Progress progress;
+  const std::vector<PartsStressRun> runs = stress_parts(
+      families, options.sweep.values, options.limits,
+      [&](std::size_t done, std::size_t total) { progress("cutting solids", done, total); },
+      &interrupted());
+  progress.clear();
+  options.global.json ? print(parts_stress_json(runs)) : print(parts_stress_table(runs));
+  const bool passes = std::all_of(runs.begin(), runs.end(),
+                                  [](const PartsStressRun& run) { return run.faults.empty(); });
+  return passes ? 0 : 1;
 }
 
 void print_list(const StressArguments& options) {
@@ -112,6 +160,7 @@ std::vector<StressInput> all_inputs(const StressArguments& options) {
 }
 
 int run_stress(const StressArguments& options) {
+  if (options.parts) return run_parts(options);
   if (options.list) {
     print_list(options);
     return 0;
@@ -153,6 +202,9 @@ void add_sweep_options(Command& command, StressArguments& options) {
             "how many seeds for each value, from --seed on");
   add_faces(command, options.sweep.faces, "how many halfspaces to keep, at least 4");
   command.add_flag("--large", options.sweep.large, "also the values that take minutes");
+  command.add_flag("--parts", options.parts,
+                   "cut solids that are hard to take apart, and judge the parts; of the other "
+                   "options --list, --values, --json and the limits apply");
   command.add_flag("--cases", options.cases, "a line for each input, not for each family");
 }
 

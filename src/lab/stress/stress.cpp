@@ -3,11 +3,8 @@
 
 #include <fmt/format.h>
 #include <poll.h>
-#include <sys/resource.h>
 
 #include <chrono>
-#include <cmath>
-#include <csignal>
 #include <map>
 #include <memory>
 #include <utility>
@@ -15,6 +12,7 @@
 #include "conform/program.hpp"
 #include "convexact/error.hpp"
 #include "io/json.hpp"
+#include "lab/stress/child.hpp"
 
 namespace convexact {
 namespace {
@@ -29,46 +27,6 @@ void require_sensible(const StressRequest& request) {
     throw Error(ErrorCode::InvalidArgument, "no time to run an engine");
   }
 }
-
-// The end of a process that was to answer: its answer, or why there is none.
-struct ChildEnd {
-  std::optional<std::string> answer;
-  StressEnd end = StressEnd::Reached;
-  std::string why;
-  std::uint64_t memory = 0;
-};
-
-ChildEnd end_of(const ProgramRun& run, const ChildProcess& process, const StressLimits& limits) {
-  ChildEnd end;
-  end.memory = run.peak_memory;
-  if (run.succeeded()) {
-    end.answer = process.result();
-    return end;
-  }
-  constexpr std::size_t kMost = 500;
-  const std::string said =
-      run.printed.substr(run.printed.size() - std::min(kMost, run.printed.size()));
-  const bool has_crashed = run.end == ProgramEnd::Crashed;
-  if (run.end == ProgramEnd::TimedOut || (has_crashed && run.signal == SIGXCPU)) {
-    end.end = StressEnd::TimedOut;
-    end.why = fmt::format("no end within {:g} s", limits.seconds);
-  } else if (has_crashed) {
-    const bool no_memory = said.find("annot allocate memory") != std::string::npos;
-    end.end = no_memory ? StressEnd::OutOfMemory : StressEnd::Crashed;
-    end.why = describe(run) + ": " + said;
-  } else if (run.exit_code == exit_code(ErrorCode::Stopped)) {
-    end.end = StressEnd::OutOfMemory;
-    end.why = "out of memory";
-  } else {
-    end.end = StressEnd::Failed;
-    end.why = said;
-  }
-  return end;
-}
-
-// A busy machine may give a process only a small share of its time; beyond this factor, the process
-// must be waiting.
-constexpr double kWallPerProcessorTime = 20;
 
 using Children = std::map<std::size_t, std::unique_ptr<ChildProcess>>;
 
@@ -88,7 +46,6 @@ class Sweep {
 
  private:
   std::unique_ptr<ChildProcess> start(std::size_t i) const;
-  std::unique_ptr<ChildProcess> start(const std::function<Json()>& work) const;
   void finish(std::size_t i, const ChildEnd& end);
 
   std::span<const StressInput> inputs_;
@@ -127,27 +84,16 @@ std::vector<StressRun> Sweep::run() {
   return runs;
 }
 
-std::unique_ptr<ChildProcess> Sweep::start(const std::function<Json()>& work) const {
-  const double seconds = request_.limits.seconds;
-  const ProgramLimits limits{.seconds = kWallPerProcessorTime * seconds,
-                             .memory = request_.limits.memory};
-  const auto limited = [seconds, &work] {
-    const auto whole = static_cast<rlim_t>(std::ceil(seconds));
-    const rlimit processor{whole, whole + 1};
-    (void)setrlimit(RLIMIT_CPU, &processor);
-    return write_json(work());
-  };
-  return std::make_unique<ChildProcess>(limited, limits);
-}
-
 // The next engine, or the judge when all have answered.
 std::unique_ptr<ChildProcess> Sweep::start(std::size_t i) const {
   const StressInput& input = inputs_[i];
   const std::vector<EngineAnswer>& answers = progress_[i].answers;
   if (answers.size() == request_.engines.size()) {
-    return start([&] {
-      return stress_json({judge_answers(input, input.make(), answers), 0, request_.cost});
-    });
+    return start_child(
+        [&] {
+          return stress_json({judge_answers(input, input.make(), answers), 0, request_.cost});
+        },
+        request_.limits);
   }
   const Engine engine = request_.engines[answers.size()];
   const Question question{.engine = engine,
@@ -155,7 +101,8 @@ std::unique_ptr<ChildProcess> Sweep::start(std::size_t i) const {
                           .seed = input.seed,
                           .cost = request_.cost,
                           .search = request_.search};
-  return start([&] { return answer_json(request_.answer(input.make(), question)); });
+  return start_child([&] { return answer_json(request_.answer(input.make(), question)); },
+                     request_.limits);
 }
 
 void Sweep::finish(std::size_t i, const ChildEnd& end) {

@@ -6,23 +6,18 @@
 #include <span>
 #include <vector>
 
+#include "lab/stress/child.hpp"
 #include "lab/stress/judge.hpp"
 
 namespace convexact {
-
-/// The limits of each process: one engine on one input, or the judge of their answers.
-struct StressLimits {
-  /// Of processor time, more than 0; an integer. A process that only waits gets 20 times as long.
-  double seconds = 120;
-  std::uint64_t memory = 0;  ///< Bytes of address space; 0 for no limit.
-};
 
 struct StressRequest {
   std::vector<Engine> engines = {Engine::Exact, Engine::Filtered, Engine::Float};
   CostMeasure cost = CostMeasure::Volume;  ///< The measure that the runs keep small.
   /// After the removals of the exact and the filtered engine, where few halfspaces are left.
   SearchRequest search = {};
-  StressLimits limits;
+  StressLimits
+      limits;  ///< Of each process: one engine on one input, or the judge of their answers.
   std::size_t processes = 1;  ///< At the same time, >= 1.
   /// The engines under test; replaced in tests of the judge itself.
   std::function<EngineAnswer(const Shape&, const Question&)> answer = answer_of;
