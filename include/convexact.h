@@ -260,6 +260,7 @@ typedef struct convexact_decompose_options {
   const char* max_excess; /* Of CUT: how much larger the parts' volumes together may be than the
                              solid's, "20%". NULL for no limit. */
   int effort;             /* Of CUT: 0 normal, 1 low, 2 high. */
+  size_t max_part_vertices; /* Corners that a part may have, >= 4; 0 for any number. */
   int disjoint;           /* Of CUT, not 0: parts have no common interior, but for roundings. */
 } convexact_decompose_options;
 

@@ -99,6 +99,9 @@ struct DecomposeRequest {
   /// volume: the parts are simplified and still hold what they own. Thickened parts have a volume.
   /// A part keeps more if every removal is unbounded, as from a box.
   std::optional<std::size_t> faces = {}, total_faces = {};
+  /// Corners that a part may have (>= 4), and those of each of its faces (>= 3), before they are
+  /// rounded: a part with more keeps so few faces that it cannot have more. Not with `total_faces`.
+  std::optional<std::size_t> max_vertices = {}, max_facet_vertices = {};
   Precision precision = Precision::Binary64;
   PartMeasures measures = PartMeasures::All;
   bool exact_volumes = false;  ///< Volumes also as fractions.

@@ -44,6 +44,7 @@ DecomposeRequest to_request(const convexact_decompose_options& options) {
   }
   request.effort = chosen(kEfforts, options.effort);
   request.disjoint = options.disjoint != 0;
+  request.max_vertices = to_limit(options.max_part_vertices);
   request.seed = options.seed;
   return request;
 }

@@ -64,25 +64,18 @@ struct DecomposeArguments {
   StdioOptions stdio;
 };
 
-// The halfspaces that a part may have so that it fits a promise: a solid of F faces has at most
-// 2 F - 4 corners, and at most F - 1 at a face.
-std::optional<std::size_t> faces_of(const Budgets& budgets) {
-  std::optional<std::size_t> faces = budgets.max_facets;
-  const auto allow = [&](std::size_t most) { faces = std::min(faces.value_or(most), most); };
-  if (budgets.max_vertices) allow(*budgets.max_vertices / 2 + 2);
-  if (budgets.max_facet_vertices) allow(*budgets.max_facet_vertices + 1);
-  return faces;
-}
-
 DecomposeRequest decompose_request(const DecomposeArguments& options) {
   DecomposeRequest request = options.request;
   if (!options.profile.empty()) {
-    if (request.faces || request.total_faces) {
+    if (request.faces || request.total_faces || request.max_vertices) {
       throw Error(ErrorCode::InvalidArgument,
-                  "--profile says how many faces a part may have: leave --faces out");
+                  "--profile says how many faces and corners a part may have: leave --faces, "
+                  "--total-faces and --max-part-vertices out");
     }
     const Promise promise = find_profile(options.profile).promise;
-    request.faces = faces_of(promise);
+    request.faces = promise.max_facets;
+    request.max_vertices = promise.max_vertices;
+    request.max_facet_vertices = promise.max_facet_vertices;
     request.precision = promise.numbers;
   }
   if (request.faces && request.total_faces) {
@@ -244,10 +237,13 @@ void add_decompose_command(Command& program, int& exit_code) {
   add_stdio_options(command, options->stdio, "one decomposition");
   finish_command(command, options, exit_code, run_decompose);
   add_stages_option(command, options->global);
-  command.show_first({"--method", "--distance", "--effort", "--max-parts", "--max-excess",
-                      "--disjoint", "--profile", "--faces", "--total-faces", "--concavity", "--guard", "--merge",
-                      "--output", "--names", "--picture", "--proof", "--precision", "--measures",
-                      "--parts", "--json"});
+  command.show_first({"--method",      "--distance",   "--effort",
+                      "--max-parts",   "--max-excess", "--disjoint",
+                      "--profile",     "--faces",      "--max-part-vertices",
+                      "--total-faces", "--concavity",  "--guard",
+                      "--merge",       "--output",     "--names",
+                      "--picture",     "--proof",      "--precision",
+                      "--measures",    "--parts",      "--json"});
 }
 
 }  // namespace convexact::cli

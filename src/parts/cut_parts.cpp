@@ -66,7 +66,10 @@ class PartCutter {
   inline static const std::vector<Rational> kShares{1, Rational(7, 8), Rational(3, 4),
                                                     Rational(1, 2), Rational(1, 4)};
 
-  bool is_limited() const { return request_.faces || request_.total_faces || most_volume_; }
+  bool is_limited() const {
+    return request_.faces || request_.total_faces || request_.max_vertices ||
+           request_.max_facet_vertices || most_volume_;
+  }
   std::vector<Rational> shares() const {
     return is_limited() ? kShares : std::vector{kShares.front()};
   }

@@ -82,6 +82,15 @@ void require_sensible(const DecomposeRequest& request) {
   if (request.distance && request.distance->value <= 0) {
     refuse_request("the distance allowed is above 0");
   }
+  if (request.total_faces && (request.max_vertices || request.max_facet_vertices)) {
+    refuse_request("corners are counted in each part: leave out the faces of all parts");
+  }
+  if (request.max_vertices && *request.max_vertices < 4) {
+    refuse_request("no part has fewer than 4 corners: allow at least 4 for each");
+  }
+  if (request.max_facet_vertices && *request.max_facet_vertices < 3) {
+    refuse_request("no face has fewer than 3 corners: allow at least 3");
+  }
   if (request.faces && *request.faces < 4) {
     refuse_request("no bounded part has fewer than 4 faces: allow at least 4 for each");
   }

@@ -60,9 +60,30 @@ Making begin(Part& part, const Rational& squared_diameter, Precision precision,
   return making;
 }
 
-SimplifyRequest simplify_request(const DecomposeRequest& request) {
+bool limits_each(const DecomposeRequest& request) {
+  return request.faces || request.max_vertices || request.max_facet_vertices;
+}
+
+// The faces to keep of a part: a solid of F faces has at most 2 F - 4 corners, and at most F - 1 at
+// a face.
+std::size_t faces_to_keep(const Polytope& solid, const DecomposeRequest& request) {
+  std::size_t faces = solid.planes.size(), longest = 0;
+  for (const auto& facet : solid.facets) longest = std::max(longest, facet.size());
+  const auto allow = [&](std::size_t most) { faces = std::min(faces, most); };
+  if (request.faces) allow(*request.faces);
+  if (request.max_vertices && solid.vertices.size() > *request.max_vertices) {
+    allow(*request.max_vertices / 2 + 2);
+  }
+  if (request.max_facet_vertices && longest > *request.max_facet_vertices) {
+    allow(*request.max_facet_vertices + 1);
+  }
+  return faces;
+}
+
+SimplifyRequest simplify_request(const DecomposeRequest& request,
+                                 std::optional<std::size_t> faces) {
   SimplifyRequest own;
-  own.faces = request.faces;
+  own.faces = faces;
   own.engine = request.engine;
   own.seed = request.seed;
   own.watch.stop = request.watch.stop;
@@ -85,8 +106,9 @@ void simplify_each(std::vector<Making>& makings, const DecomposeRequest& request
     std::size_t done = 0;
     for (Making& making : makings) {
       watch.at(done++, makings.size());
-      if (making.solid.planes.size() <= *request.faces) continue;
-      auto outcome = simplify(making.corners, simplify_request(request));
+      const std::size_t faces = faces_to_keep(making.solid, request);
+      if (making.solid.planes.size() <= faces) continue;
+      auto outcome = simplify(making.corners, simplify_request(request, faces));
       take(std::get<SimplifyResult>(std::move(outcome)), making);
     }
   });
@@ -110,7 +132,7 @@ void simplify_together(std::vector<Making>& makings, const DecomposeRequest& req
   log.run(stage::kSimplify, [&] {
     std::vector<Shape> shapes;
     for (const Making& making : makings) shapes.push_back(making.corners);
-    SceneRequest scene{.each = simplify_request(request), .total_faces = budget};
+    SceneRequest scene{.each = simplify_request(request, {}), .total_faces = budget};
     if (request.watch.progress) scene.each.watch.progress = request.watch.progress;
     auto outcome = simplify_scene(shapes, scene);
     auto& results = std::get<SceneResult>(outcome).parts;
@@ -120,7 +142,7 @@ void simplify_together(std::vector<Making>& makings, const DecomposeRequest& req
 
 void simplify_parts(std::vector<Making>& makings, const DecomposeRequest& request, StageLog& log) {
   if (makings.empty()) return log.skip(stage::kSimplify, "no part has a volume");
-  if (request.faces) return simplify_each(makings, request, log);
+  if (limits_each(request)) return simplify_each(makings, request, log);
   if (request.total_faces) return simplify_together(makings, request, log);
   log.skip(stage::kSimplify, "no number of faces was requested");
 }

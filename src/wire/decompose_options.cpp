@@ -81,6 +81,9 @@ Fields<DecomposeRequest> make_fields() {
           "normals is larger; above 0, at most 1"),
       count_field<R>("faces", &R::faces, {4, kMostFaces},
                      "how many halfspaces to keep of each part, at least 4"),
+      count_field<R>("max_part_vertices", &R::max_vertices, {4, kMostFaces},
+                     "corners that a part may have, at least 4: one with more keeps so few faces "
+                     "that it cannot have more"),
       count_field<R>("total_faces", &R::total_faces, {4, kMostFaces},
                      "how many halfspaces to keep in all parts together, at least 4 for each"),
       choice_field<R>(

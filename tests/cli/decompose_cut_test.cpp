@@ -136,6 +136,14 @@ TEST_CASE("decompose cut: a number of parts, and parts that fit a program") {
     CHECK(part["facets"] <= 64);
   }
   CHECK(fits["reach"]["holds"] == true);
+  const json few = program_json("decompose " + input +
+                                    " --distance 20% --max-parts 1 "
+                                    "--max-part-vertices 6",
+                                "decompose");
+  CHECK(few["parts"][0]["corners"] <= 6);
+  CHECK(run_program("decompose " + input + " --max-part-vertices 3").exit == 2);
+  CHECK(run_program("decompose " + input + " --max-part-vertices 9 --total-faces 40").exit == 2);
+  CHECK(run_program("decompose " + input + " --profile physx --max-part-vertices 9").exit == 2);
   CHECK(run_program("decompose " + input + " --profile physx --faces 9").exit == 2);
   CHECK(run_program("decompose " + input + " --profile nobody").exit == 2);
 }

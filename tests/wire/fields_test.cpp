@@ -127,7 +127,8 @@ TEST_CASE("fields: what is read is written again") {
         "max_excess=none disjoint= close=auto "
         "measure=surface "
         "bridge=farther coplanar=0.99 faces= "
-        "total_faces= flat=auto keep_inner= connect=edge orient=auto loose=part engine=filtered "
+        "max_part_vertices= total_faces= flat=auto keep_inner= connect=edge orient=auto loose=part "
+        "engine=filtered "
         "precision=32 ");
 }
 
