@@ -14,10 +14,11 @@ struct NearSolid {
   struct Plane {
     Point normal;
     double offset;
+    /// No vertex is farther beyond the plane, if coordinates are at most 2; of slivers it is large.
+    double error;
   };
   std::vector<Point> vertices;  ///< Of the hull; all points if they are flat.
-  /// Of its facets. Where a facet is a sliver, its normal may be another one, and vertices may be
-  /// beyond the plane. None if the points are flat.
+  /// Of its facets. None if the points are flat.
   std::vector<Plane> planes;
   double volume = 0;
 };

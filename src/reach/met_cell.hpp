@@ -35,11 +35,16 @@ class NearPart {
   }
 
   explicit NearPart(NearSolid solid) : vertices_(std::move(solid.vertices)) {
-    // Whatever the normal is, all vertices are within a plane that is moved to the outermost.
-    for (const NearSolid::Plane& plane : solid.planes) {
-      double most = plane.normal.dot(vertices_.front());
-      for (const Point& v : vertices_) most = std::max(most, plane.normal.dot(v));
-      planes_.push_back({plane.normal, -most});
+    // All vertices are within a plane that is moved out by its error. Of a sliver, which may have
+    // any normal, the plane is moved to the outermost.
+    constexpr double kSmall = 0x1p-30;
+    for (const auto& [normal, offset, error] : solid.planes) {
+      double most = error - offset;
+      if (error > kSmall) {
+        most = normal.dot(vertices_.front());
+        for (const Point& v : vertices_) most = std::max(most, normal.dot(v));
+      }
+      planes_.push_back({normal, -most});
     }
   }
 
