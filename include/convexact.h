@@ -257,11 +257,11 @@ typedef struct convexact_decompose_options {
   int merge_reach;      /* Not 0: parts are merged in the end as long as they are not farther. */
   const char* distance; /* For these two and CUT, spelled like `concavity`, and above 0. NULL for
                            "3%". */
-  const char* max_excess; /* Of CUT: how much larger the parts' volumes together may be than the
-                             solid's, "20%". NULL for no limit. */
-  int effort;             /* Of CUT: 0 normal, 1 low, 2 high. */
+  const char* max_excess;   /* Of CUT: how much larger the parts' volumes together may be than the
+                               solid's, "20%". NULL for no limit. */
+  int effort;               /* Of CUT: 0 normal, 1 low, 2 high. */
   size_t max_part_vertices; /* Corners that a part may have, >= 4; 0 for any number. */
-  int disjoint;           /* Of CUT, not 0: parts have no common interior, but for roundings. */
+  int disjoint;             /* Of CUT, not 0: parts have no common interior, but for roundings. */
 } convexact_decompose_options;
 
 typedef struct convexact_decomposition convexact_decomposition;
