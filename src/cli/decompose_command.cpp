@@ -62,6 +62,7 @@ struct DecomposeArguments {
   std::optional<Tolerance> weld;
   std::string profile;
   StdioOptions stdio;
+  std::optional<Option> precision = {};
 };
 
 DecomposeRequest decompose_request(const DecomposeArguments& options) {
@@ -77,6 +78,8 @@ DecomposeRequest decompose_request(const DecomposeArguments& options) {
     request.max_vertices = promise.max_vertices;
     request.max_facet_vertices = promise.max_facet_vertices;
     request.precision = promise.numbers;
+  } else if (options.files.have_model() && !options.precision->is_given()) {
+    request.precision = Precision::Binary32;
   }
   if (request.faces && request.total_faces) {
     throw Error(ErrorCode::InvalidArgument,
@@ -150,7 +153,9 @@ Mesh welded(Mesh mesh, const std::string& name, const DecomposeArguments& option
   return std::move(joined.mesh);
 }
 
-int run_decompose(const DecomposeArguments& options) {
+int run_decompose(const DecomposeArguments& given) {
+  DecomposeArguments options = given;
+  const std::string folder_note = options.files.add_missing_folder();
   options.stdio.require_sensible();
   if (options.stdio.is_asked) return answer_lines(options.stdio, answer_decompose_request);
   if (options.input.empty()) {
@@ -165,6 +170,10 @@ int run_decompose(const DecomposeArguments& options) {
   CommandRun run(options.global);
   std::vector<SceneObject> scene = run.read({options.input}, options.scene);
   options.files.require_room_for(scene.size());
+  if (!folder_note.empty()) run.note(options.input, folder_note);
+  if (request.precision != options.request.precision && options.files.have_model()) {
+    run.note(options.input, "the parts are in binary32, rounded outward, as simulators take them");
+  }
   request.watch = run.watch();
   std::vector<DecomposedObject> objects;
   std::vector<std::string> object_names;
@@ -221,6 +230,7 @@ void add_decompose_command(Command& program, int& exit_code) {
                      "a mesh (OBJ, OFF, PLY, STL), or halfspaces (JSON, .ine, rows); - is standard "
                      "input");
   add_fields(command, bound_fields(decompose_fields(), options->request));
+  options->precision = command.get_option("--precision");
   add_text(command, "--profile",
            "parts that fit a program: as many faces and corners, and numbers, as it takes (" +
                std::string("physx, physx-gpu, unity, mujoco, jolt, bullet, ...)"),

@@ -73,8 +73,7 @@ void require_sensible_models(const std::vector<std::string>& outputs,
       throw Error(ErrorCode::InvalidArgument,
                   "-o " + path +
                       ": it names the files of the parts, so one folder for them is "
-                      "needed, such as -o parts/, and there are " +
-                      (folders == 0 ? "none" : "several"));
+                      "needed, such as -o parts/, and there are several");
     }
   }
 }
@@ -167,6 +166,25 @@ std::vector<std::string> DecomposeFiles::all_paths() const {
   return paths;
 }
 
+bool DecomposeFiles::have_model() const {
+  return std::any_of(results.begin(), results.end(),
+                     [](const std::string& path) { return is_model(parts_output_of(path)); });
+}
+
+std::string DecomposeFiles::add_missing_folder() {
+  const auto needs_folder = [](const std::string& path) {
+    const PartsOutput kind = parts_output_of(path);
+    return kind == PartsOutput::Mjcf || kind == PartsOutput::Urdf;
+  };
+  const auto model = std::find_if(results.begin(), results.end(), needs_folder);
+  if (model == results.end() || std::any_of(results.begin(), results.end(), is_folder)) return "";
+  const std::string name = model_name(*model, parts_output_of(*model)) + "_parts/";
+  const std::string folder = (fs::path(*model).parent_path() / name).string();
+  const std::string said = *model + " names the files of the parts, which are in " + folder;
+  results.push_back(folder);
+  return said;
+}
+
 bool DecomposeFiles::have_document() const {
   return std::any_of(results.begin(), results.end(),
                      [](const std::string& path) { return path.ends_with(".json"); });
@@ -213,7 +231,7 @@ void add_decompose_files(Command& command, DecomposeFiles& files) {
   command
       .add_option("-o,--output", files.results,
                   "file for the parts: .obj with an object for each, .json, or a folder (ends in "
-                  "/) with a file for each; or a model for simulators, with --precision 32: "
+                  "/) with a file for each; or a model for simulators, in binary32: "
                   ".mjcf.xml or .urdf beside a folder, .usda; may be repeated")
       ->expected(1)
       ->allow_extra_args(false)  // an INPUT that need not be there may follow

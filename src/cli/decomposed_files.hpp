@@ -24,12 +24,18 @@ struct DecomposeFiles {
   std::string picture;                    ///< A page.
 
   std::vector<std::string> all_paths() const;
+  /// Whether one of the results is a model for simulators.
+  bool have_model() const;
+  /// A folder for the parts that a model names, if it has none: spot_parts/ beside spot.urdf. What
+  /// to say of it; empty if none is missing.
+  std::string add_missing_folder();
   /// Whether one of the results is JSON.
   bool have_document() const;
   /// Whether one of the files tells of single merges: a trace, a picture, or JSON.
   bool show_merges() const;
   /// @throws Error InvalidArgument for names and extensions that cannot be, for models of parts
-  ///               that simulators would change or do not find, and if the input would be lost.
+  ///               that simulators would change or find in several folders, and if the input would
+  ///               be lost.
   void require_sensible(const std::string& input, const DecomposeRequest& request) const;
   /// @throws Error InvalidArgument if a file shows one object only, and there are more.
   void require_room_for(std::size_t objects) const;

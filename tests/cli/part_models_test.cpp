@@ -180,6 +180,30 @@ TEST_CASE("part models: USD holds the points of the files, numbers of binary32, 
   CHECK(verdict.exit == 0);
 }
 
+TEST_CASE("part models: at the first try") {
+  const ScratchFolder scratch;
+  const std::string input = scratch.write("l.obj", tenth_obj(support::l_cells()));
+  for (const std::string& extension : {"urdf", "mjcf.xml", "usda"}) {
+    CAPTURE(extension);
+    const std::string model = scratch.file("l." + extension);
+    const auto ran = run_program("decompose " + input + " -o " + model);
+    CHECK(ran.exit == 0);
+    CHECK(ran.err.find("in binary32, rounded outward") != std::string::npos);
+    const bool has_folder = extension != "usda";
+    CHECK((ran.err.find("which are in " + scratch.file("l_parts/")) != std::string::npos) ==
+          has_folder);
+    CHECK(run_program("verify --union " + input + " " + model).exit == 0);
+    if (!has_folder) continue;
+    CHECK(std::filesystem::exists(scratch.file("l_parts/part_000.obj")));
+    std::filesystem::remove_all(scratch.file("l_parts"));
+  }
+  // A folder that is named is taken, and so is a precision.
+  CHECK(run_program("decompose " + input + " -o " + scratch.file("other/") + " -o " +
+                    scratch.file("l.urdf"))
+            .exit == 0);
+  CHECK(!std::filesystem::exists(scratch.file("l_parts")));
+}
+
 TEST_CASE("part models: what cannot be, is refused before anything is written") {
   const ScratchFolder scratch;
   const std::string input = scratch.write("l.obj", tenth_obj(support::l_cells()));
@@ -188,11 +212,9 @@ TEST_CASE("part models: what cannot be, is refused before anything is written") 
                     folder = " -o " + scratch.file("parts/"),
                     second = " -o " + scratch.file("other/");
   for (const ModelRefusal& refusal : std::vector<ModelRefusal>{
-           {" --precision 32" + mjcf, 2, "one folder for them is needed, such as -o parts/"},
-           {" --precision 32" + urdf, 2, "there are none"},
            {" --precision 32" + urdf + folder + second, 2, "there are several"},
-           {mjcf + folder, 2, "--precision 32 rounds outward"},
-           {urdf + folder, 2, "--precision 32 rounds outward"},
+           {" --precision 64" + mjcf + folder, 2, "--precision 32 rounds outward"},
+           {" --precision 64" + urdf + folder, 2, "--precision 32 rounds outward"},
            {" --precision 64" + usd, 2, "which cuts off points of the input"},
            {" --precision 32 --flat keep" + usd, 2, "--flat thicken"},
            {" --precision 32 --flat keep" + folder + mjcf, 2, "not a solid for a simulator"},
