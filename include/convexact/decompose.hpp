@@ -100,7 +100,8 @@ struct DecomposeRequest {
   /// A part keeps more if every removal is unbounded, as from a box.
   std::optional<std::size_t> faces = {}, total_faces = {};
   /// Corners that a part may have (>= 4), and those of each of its faces (>= 3), before they are
-  /// rounded: a part with more keeps so few faces that it cannot have more. Not with `total_faces`.
+  /// rounded: a part with more keeps so few faces that it cannot have more, unless every removal is
+  /// unbounded. Not with `total_faces`.
   std::optional<std::size_t> max_vertices = {}, max_facet_vertices = {};
   Precision precision = Precision::Binary64;
   PartMeasures measures = PartMeasures::All;

@@ -136,11 +136,14 @@ TEST_CASE("decompose cut: a number of parts, and parts that fit a program") {
     CHECK(part["facets"] <= 64);
   }
   CHECK(fits["reach"]["holds"] == true);
-  const json few = program_json("decompose " + input +
-                                    " --distance 20% --max-parts 1 "
-                                    "--max-part-vertices 6",
-                                "decompose");
-  CHECK(few["parts"][0]["corners"] <= 6);
+  // The hull of a plus: a prism over an octagon. (A box keeps its corners: no face can go.)
+  const std::string plus =
+      scratch.write("plus.obj", cells_obj({{1, 0, 0}, {0, 1, 0}, {1, 1, 0}, {2, 1, 0}, {1, 2, 0}}));
+  for (const auto& [option, corners] : {std::pair("", 16), {" --max-part-vertices 12", 12}}) {
+    const json prism = program_json("decompose " + plus + " --distance 30%" + option, "decompose");
+    REQUIRE(prism["parts"].size() == 1);
+    CHECK(prism["parts"][0]["corners"] == corners);
+  }
   CHECK(run_program("decompose " + input + " --max-part-vertices 3").exit == 2);
   CHECK(run_program("decompose " + input + " --max-part-vertices 9 --total-faces 40").exit == 2);
   CHECK(run_program("decompose " + input + " --profile physx --max-part-vertices 9").exit == 2);
