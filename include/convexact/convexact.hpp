@@ -14,6 +14,7 @@
 #include "convexact/io.hpp"
 #include "convexact/json.hpp"
 #include "convexact/linear_program.hpp"
+#include "convexact/mass.hpp"
 #include "convexact/measure.hpp"
 #include "convexact/number.hpp"
 #include "convexact/overlay.hpp"

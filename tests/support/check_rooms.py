@@ -21,7 +21,7 @@ PUBLIC = {header: room for room, headers in {
     "error": "error", "number": "number cost", "geometry": "geometry", "shapes": "shapes", "io": "io",
     "lp": "linear_program", "hull": "hull", "dual": "dual", "implicit": "implicit", "measure": "measure",
     "simplify": "run", "search": "search", "stored": "stored", "solid": "scene",
-    "surface": "surface", "overlay": "overlay", "reach": "reach", "decompose": "cluster", "cut": "partition",
+    "surface": "surface", "overlay": "overlay mass", "reach": "reach", "decompose": "cluster", "cut": "partition",
     "scene": "simplify", "parts": "decompose", "query": "query", "bvh": "hull_tree",
     "oracle": "verify verify_order verify_parts", "conform": "conform shrink", "wire": "json",
     "capi": "convexact"}.items()
