@@ -29,9 +29,6 @@ void check_family(const PartsFamily& family) {
   }
 }
 
-// At the ends of the doubles a run takes minutes in some builds: only `convexact stress --parts`.
-bool is_slow(const PartsFamily& family) { return family.name == "scales"; }
-
 bool is_quick(const PartsFamily& family) {
   return family.name == "keyholes" || family.name == "crossing";
 }
@@ -46,7 +43,7 @@ TEST_CASE("stress of parts: crossing shells, and keyholes") {
 
 TEST_CASE("stress of parts: every family keeps what is promised" * sweep) {
   for (const PartsFamily& family : parts_families()) {
-    if (!is_quick(family) && !is_slow(family)) check_family(family);
+    if (!is_quick(family)) check_family(family);
   }
 }
 

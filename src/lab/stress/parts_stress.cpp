@@ -24,6 +24,7 @@ void judge(const Mesh& mesh, const Decomposition& made, PartsStressRun& run) {
   asked.claims = {ClaimCode::PartsSolid, ClaimCode::PartsConvex, ClaimCode::CoversSurface,
                   ClaimCode::CoversSolid};
   asked.distance = Tolerance{kDefaultDistance.value, true};
+  asked.measures = PartMeasures::None;  // distances take minutes at the ends of the doubles
   const PartsVerdict verdict = verify_parts(mesh, parts, asked);
   for (const ClaimCode code : asked.claims) {
     if (verdict[code].status == Status::Holds) continue;
@@ -35,11 +36,12 @@ void judge(const Mesh& mesh, const Decomposition& made, PartsStressRun& run) {
                          (run.is_within ? "method, and not the oracle: " : "oracle: ") +
                          verdict[ClaimCode::WithinSolid].sentence);
   }
-  const auto& measures = *verdict.measures;
-  if (measures.excess_volume && measures.solid_volume->bounds.low() > 0) {
-    const Enclosure share = measures.excess_volume->bounds / measures.solid_volume->bounds;
-    run.excess = std::max(0.0, to_double(share.high(), Rounding::Up));
-  }
+  // The parts hold the solid, or there is a fault already.
+  const Measured solid = solid_volume(verdict.surface, kMeasureBits, false);
+  if (solid.bounds.low() <= 0) return;
+  const Measured united = union_volume(verdict.hulls, kMeasureBits, false);
+  const Enclosure share = (united.bounds - solid.bounds) / solid.bounds;
+  run.excess = std::max(0.0, to_double(share.high(), Rounding::Up));
 }
 
 Json run_json(const PartsStressRun& run) {
