@@ -66,11 +66,18 @@ enum class MeshFormat {
   Xyz,  ///< Points only: x y z per line, with blanks, commas or semicolons between; .pts, .csv.
   Pcd,  ///< Points only, of the Point Cloud Library; as text or binary.
   Ext,  ///< The V-representation of cdd and lrs: points.
+  Gltf,     ///< glTF 2.0: .glb, which is also written, and .gltf. Each node with a mesh is a part.
+  Collada,  ///< .dae; each instance of a geometry is a part.
 };
 
-/// Of the formats that are written, too: by the extension .obj, .off, .ply, .stl or .xyz in any
-/// case; nothing for any other path.
+/// Of the formats that are written, too: by the extension .obj, .off, .ply, .stl, .xyz or .glb in
+/// any case; nothing for any other path.
 [[nodiscard]] std::optional<MeshFormat> mesh_format_of_path(const std::string& path);
+
+/// Whether files of the format, as the program writes them, hold binary32 numbers only.
+[[nodiscard]] constexpr bool holds_binary32_only(MeshFormat format) {
+  return format == MeshFormat::Stl || format == MeshFormat::Gltf;
+}
 
 /// By the first bytes, and for a binary STL by its size; OBJ if no other format matches.
 [[nodiscard]] MeshFormat mesh_format_of_content(std::string_view bytes);
@@ -93,6 +100,9 @@ struct ReadOptions {
   /// Faces of one or two corners are an error, as in outputs that are judged. Otherwise a note
   /// counts them; their points count in any case.
   bool strict = false;
+  /// Where the files lie that a glTF or COLLADA names; empty: naming one is an error. read_mesh()
+  /// takes the folder of the file.
+  std::string folder = {};
 };
 
 /// The mesh that the bytes of a file spell.
@@ -118,7 +128,8 @@ struct MeshWriteOptions {
 
 /// The bytes of a file that read_mesh_bytes reads as the same points, polygons and, for OBJ and STL
 /// as text, parts. STL keeps triangles and the points that they use: a polygon becomes a fan from
-/// its first corner, and equal points become one. XYZ keeps the points alone.
+/// its first corner, and equal points become one. GLB does the same, with parts, and is binary32
+/// whatever the options say. XYZ keeps the points alone.
 /// @param mesh   Binary points; polygons of at least 3 valid indices; parts that follow each other
 ///               and hold every polygon (or none at all).
 /// @throws Error Unrepresentable if a coordinate is no number of the precision (STL in binary: of

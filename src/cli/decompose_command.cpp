@@ -78,7 +78,7 @@ DecomposeRequest decompose_request(const DecomposeArguments& options) {
     request.max_vertices = promise.max_vertices;
     request.max_facet_vertices = promise.max_facet_vertices;
     request.precision = promise.numbers;
-  } else if (options.files.have_model() && !options.precision->is_given()) {
+  } else if (options.files.need_binary32() && !options.precision->is_given()) {
     request.precision = Precision::Binary32;
   }
   if (request.faces && request.total_faces) {
@@ -171,8 +171,8 @@ int run_decompose(const DecomposeArguments& given) {
   std::vector<SceneObject> scene = run.read({options.input}, options.scene);
   options.files.require_room_for(scene.size());
   if (!folder_note.empty()) run.note(options.input, folder_note);
-  if (request.precision != options.request.precision && options.files.have_model()) {
-    run.note(options.input, "the parts are in binary32, rounded outward, as simulators take them");
+  if (request.precision != options.request.precision && options.files.need_binary32()) {
+    run.note(options.input, "the parts are in binary32, rounded outward, as simulators and GLB take them");
   }
   request.watch = run.watch();
   std::vector<DecomposedObject> objects;

@@ -23,9 +23,15 @@ namespace fs = std::filesystem;
 
 // ---- Models for simulators
 
-bool is_model(PartsOutput kind) {
-  return kind == PartsOutput::Mjcf || kind == PartsOutput::Urdf || kind == PartsOutput::Usd;
+// Whether it names the files of the parts, in a folder.
+bool names_files(PartsOutput kind) {
+  return kind == PartsOutput::Mjcf || kind == PartsOutput::Urdf;
 }
+
+bool is_model(PartsOutput kind) { return names_files(kind) || kind == PartsOutput::Usd; }
+
+// Simulators round to binary32, and GLB holds nothing else.
+bool is_binary32(PartsOutput kind) { return is_model(kind) || kind == PartsOutput::Glb; }
 
 bool is_folder(const std::string& path) { return parts_output_of(path) == PartsOutput::Folder; }
 
@@ -55,21 +61,24 @@ void require_sensible_models(const std::vector<std::string>& outputs,
   const auto folders = std::count_if(outputs.begin(), outputs.end(), is_folder);
   for (const std::string& path : outputs) {
     const PartsOutput kind = parts_output_of(path);
-    if (!is_model(kind)) continue;
+    if (!is_binary32(kind)) continue;
     if (request.precision != Precision::Binary32) {
-      throw Error(ErrorCode::InvalidArgument,
-                  "-o " + path +
-                      ": simulators round to the nearest binary32 number, which cuts off points "
-                      "of the input; --precision 32 rounds outward before they do");
-    }
-    if (request.flat == FlatParts::Keep) {
       throw Error(
           ErrorCode::InvalidArgument,
-          "-o " + path +
-              ": a part that stays flat is not a solid for a simulator; --flat thicken, the "
-              "default, makes it one");
+          "-o " + path + ": " +
+              (kind == PartsOutput::Glb ? "GLB holds binary32 numbers, and rounding to the "
+                                          "nearest one cuts off points "
+                                        : "simulators round to the nearest binary32 number, "
+                                          "which cuts off points ") +
+              "of the input; --precision 32 rounds outward before that");
     }
-    if (kind != PartsOutput::Usd && folders != 1) {
+    if (request.flat == FlatParts::Keep) {
+      throw Error(ErrorCode::InvalidArgument,
+                  "-o " + path +
+                      ": a part that stays flat is no solid there; --flat thicken, the "
+                      "default, makes it one");
+    }
+    if (names_files(kind) && folders != 1) {
       throw Error(ErrorCode::InvalidArgument,
                   "-o " + path +
                       ": it names the files of the parts, so one folder for them is "
@@ -121,7 +130,8 @@ void add_folder(FilesOfParts& out, const std::string& folder, Json document,
     const std::string file = part_file_name(parts[k].name), path = in_folder(folder, file);
     document["parts"][k]["file"] = file;
     written.insert(file);
-    out.files.emplace_back(path, proven_parts_obj(std::span(parts).subspan(k, 1), path));
+    out.files.emplace_back(
+        path, proven_parts_mesh(std::span(parts).subspan(k, 1), MeshFormat::Obj, path));
     require_other_files({path}, {input});
   }
   const std::string path = in_folder(folder, kPartsDocument);
@@ -166,15 +176,14 @@ std::vector<std::string> DecomposeFiles::all_paths() const {
   return paths;
 }
 
-bool DecomposeFiles::have_model() const {
+bool DecomposeFiles::need_binary32() const {
   return std::any_of(results.begin(), results.end(),
-                     [](const std::string& path) { return is_model(parts_output_of(path)); });
+                     [](const std::string& path) { return is_binary32(parts_output_of(path)); });
 }
 
 std::string DecomposeFiles::add_missing_folder() {
   const auto needs_folder = [](const std::string& path) {
-    const PartsOutput kind = parts_output_of(path);
-    return kind == PartsOutput::Mjcf || kind == PartsOutput::Urdf;
+    return names_files(parts_output_of(path));
   };
   const auto model = std::find_if(results.begin(), results.end(), needs_folder);
   if (model == results.end() || std::any_of(results.begin(), results.end(), is_folder)) return "";
@@ -229,10 +238,11 @@ void DecomposeFiles::require_room_for(std::size_t objects) const {
 
 void add_decompose_files(Command& command, DecomposeFiles& files) {
   command
-      .add_option("-o,--output", files.results,
-                  "file for the parts: .obj with an object for each, .json, or a folder (ends in "
-                  "/) with a file for each; or a model for simulators, in binary32: "
-                  ".mjcf.xml or .urdf beside a folder, .usda; may be repeated")
+      .add_option(
+          "-o,--output", files.results,
+          "file for the parts: .obj or .glb with an object for each, .json, or a folder (ends in "
+          "/) with a file for each; or a model for simulators, in binary32: "
+          ".mjcf.xml or .urdf beside a folder, .usda; may be repeated")
       ->expected(1)
       ->allow_extra_args(false)  // an INPUT that need not be there may follow
       ->take_all();
@@ -278,8 +288,9 @@ FilesOfParts decomposed_files(std::span<const DecomposedObject> objects,
   for (const std::string& path : files.results) {
     watch.ask();
     const PartsOutput kind = parts_output_of(path);
-    if (kind == PartsOutput::Obj) {
-      out.files.emplace_back(path, proven_parts_obj(parts, path));
+    if (kind == PartsOutput::Obj || kind == PartsOutput::Glb) {
+      const MeshFormat format = kind == PartsOutput::Obj ? MeshFormat::Obj : MeshFormat::Gltf;
+      out.files.emplace_back(path, proven_parts_mesh(parts, format, path));
     } else if (is_model(kind)) {
       out.files.emplace_back(path, model_bytes(path, files.results, parts));
     } else {

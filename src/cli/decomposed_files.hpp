@@ -24,8 +24,8 @@ struct DecomposeFiles {
   std::string picture;                    ///< A page.
 
   std::vector<std::string> all_paths() const;
-  /// Whether one of the results is a model for simulators.
-  bool have_model() const;
+  /// Whether one of the results holds binary32 numbers: a model for simulators, or a GLB.
+  bool need_binary32() const;
   /// A folder for the parts that a model names, if it has none: spot_parts/ beside spot.urdf. What
   /// to say of it; empty if none is missing.
   std::string add_missing_folder();

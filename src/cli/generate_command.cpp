@@ -117,7 +117,7 @@ MeshFormat format_of(const GenerateArguments& options) {
   const std::optional<MeshFormat> format = mesh_format_of_path(options.output);
   if (!format) {
     throw Error(ErrorCode::InvalidArgument,
-                "-o: expected a file with the extension .obj, .off, .ply, .stl or .xyz, found '" +
+                "-o: expected a file with the extension .obj, .off, .ply, .stl, .glb or .xyz, found '" +
                     options.output + "'");
   }
   return *format;
@@ -149,7 +149,7 @@ int run_family(const GenerateArguments& options, const Family& family,
   if (options.global.json) {
     document = write_json(document_of(family, values, options.global.seed, mesh), 2) + "\n";
   }
-  if (format == MeshFormat::Stl && mesh.polygons.empty()) add_triangles_over_points(mesh);
+  if (holds_binary32_only(format) && mesh.polygons.empty()) add_triangles_over_points(mesh);
   write(options, write_mesh(mesh, format), document);
   return 0;
 }

@@ -53,9 +53,10 @@ void require_sensible(const SimplifyArguments& options) {
         "binary64");
   }
   for (const std::string& path : options.output.results) {
-    if (mesh_format_of_path(path) == MeshFormat::Stl) {
+    const auto format = mesh_format_of_path(path);
+    if (format && holds_binary32_only(*format)) {
       reject_inner("-o " + path +
-                   ": STL holds binary32; an inner run keeps vertices of the input "
+                   ": STL and GLB hold binary32; an inner run keeps vertices of the input "
                    "as they are, in binary64");
     }
     if (halfspace_format_of_path(path) && options.output.precision == 64) {

@@ -22,7 +22,10 @@ namespace {
   throw Error(ErrorCode::InvalidArgument, message);
 }
 
-bool is_stl(const std::string& path) { return mesh_format_of_path(path) == MeshFormat::Stl; }
+bool is_binary32_only(const std::string& path) {
+  const auto format = mesh_format_of_path(path);
+  return format && holds_binary32_only(*format);
+}
 
 Precision precision_of(int bits) { return bits == 32 ? Precision::Binary32 : Precision::Binary64; }
 
@@ -92,10 +95,10 @@ std::vector<std::string> OutputOptions::all_paths() const {
 
 StoreRequest OutputOptions::store_request() const {
   StoreRequest request;
-  const bool has_stl = std::any_of(results.begin(), results.end(), is_stl);
+  const bool needs_32 = std::any_of(results.begin(), results.end(), is_binary32_only);
   for (const std::string& path : results) {
     if (mesh_format_of_path(path)) {
-      request.mesh = precision_of(precision != 0 ? precision : has_stl ? 32 : 64);
+      request.mesh = precision_of(precision != 0 ? precision : needs_32 ? 32 : 64);
     } else if (precision != 0) {
       request.planes = precision_of(precision);
     }
@@ -106,17 +109,20 @@ StoreRequest OutputOptions::store_request() const {
 }
 
 void OutputOptions::require_sensible() const {
-  bool stl = false, other_mesh = false;
+  std::string floats;  // a file of binary32
+  bool other_mesh = false;
   for (const std::string& path : results) {
     if (!mesh_format_of_path(path) && !halfspace_format_of_path(path)) {
       reject("-o " + path +
-             ": expected an extension .obj, .off, .ply, .stl, .xyz, .json, .ine or .txt");
+             ": expected an extension .obj, .off, .ply, .stl, .glb, .xyz, .json, .ine or .txt");
     }
-    stl = stl || is_stl(path);
-    other_mesh = other_mesh || (mesh_format_of_path(path) && !is_stl(path));
+    if (is_binary32_only(path)) floats = path;
+    other_mesh = other_mesh || (mesh_format_of_path(path) && !is_binary32_only(path));
   }
-  if (stl && (precision == 64 || (other_mesh && precision == 0))) {
-    reject("STL holds binary32 only: use --precision 32, or write the STL in a run of its own");
+  if (!floats.empty() && (precision == 64 || (other_mesh && precision == 0))) {
+    reject("-o " + floats + ": " +
+           (mesh_format_of_path(floats) == MeshFormat::Stl ? "STL" : "GLB") +
+           " holds binary32 only: use --precision 32, or write it in a run of its own");
   }
 }
 
@@ -125,8 +131,9 @@ void OutputOptions::require_room_for(std::size_t objects) const {
   if (!trace.empty()) reject("--trace: a trace describes one object, but there are several");
   if (!proof.empty()) reject("--proof: a proof describes one object, but there are several");
   for (const std::string& path : results) {
-    if (mesh_format_of_path(path) != MeshFormat::Obj) {
-      reject("-o " + path + ": only .obj holds several objects");
+    const auto format = mesh_format_of_path(path);
+    if (format != MeshFormat::Obj && format != MeshFormat::Gltf) {
+      reject("-o " + path + ": only .obj and .glb hold several objects");
     }
   }
 }

@@ -169,14 +169,16 @@ PartsOutput parts_output_of(const std::string& path) {
   std::error_code ignored;
   if (path.ends_with('/') || fs::is_directory(path, ignored)) return PartsOutput::Folder;
   if (mesh_format_of_path(path) == MeshFormat::Obj) return PartsOutput::Obj;
+  if (mesh_format_of_path(path) == MeshFormat::Gltf) return PartsOutput::Glb;
   if (halfspace_format_of_path(path) == HalfspaceFormat::Json) return PartsOutput::Json;
   if (has_extension(path, kMjcfExtension)) return PartsOutput::Mjcf;
   if (has_extension(path, ".urdf")) return PartsOutput::Urdf;
   if (has_extension(path, ".usda")) return PartsOutput::Usd;
-  throw Error(ErrorCode::InvalidArgument,
-              "-o " + path +
-                  ": expected an extension .obj (an object for each part), .json, .mjcf.xml, .urdf "
-                  "or .usda, or a folder (a name that ends in /)");
+  throw Error(
+      ErrorCode::InvalidArgument,
+      "-o " + path +
+          ": expected an extension .obj or .glb (an object for each part), .json, .mjcf.xml, .urdf "
+          "or .usda, or a folder (a name that ends in /)");
 }
 
 std::string part_file_name(const std::string& part) { return part + ".obj"; }

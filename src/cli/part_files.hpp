@@ -35,6 +35,7 @@ class PartNames {
 /// Where parts go, by the name of an output.
 enum class PartsOutput {
   Obj,     ///< One file, an object for each part.
+  Glb,     ///< The same as glTF, in binary32.
   Json,    ///< One document.
   Folder,  ///< A file for each part, and the document.
   Mjcf,    ///< A model for MuJoCo that names the files of a folder.
@@ -44,7 +45,7 @@ enum class PartsOutput {
 
 inline constexpr std::string_view kMjcfExtension = ".mjcf.xml";
 
-/// By the extension .obj, .json, .mjcf.xml, .urdf or .usda; a name that ends in /, or that of a
+/// By the extension .obj, .glb, .json, .mjcf.xml, .urdf or .usda; a name that ends in /, or that of a
 /// folder, means a folder.
 /// @throws Error InvalidArgument for any other name.
 [[nodiscard]] PartsOutput parts_output_of(const std::string& path);

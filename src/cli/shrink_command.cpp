@@ -200,7 +200,7 @@ bool Shrinking::still_fails(const std::string& bytes, const Shape& shape, const 
 
 void Shrinking::shrink_points(const PointSet& points) {
   const auto format = mesh_format_of_path(options_.output);
-  if (!format || *format == MeshFormat::Stl) {
+  if (!format || holds_binary32_only(*format)) {
     throw Error(ErrorCode::InvalidArgument,
                 "-o " + options_.output + ": expected .obj, .off, .ply or .xyz");
   }

@@ -142,7 +142,7 @@ std::optional<std::string> mesh_bytes(const PointSet& points, MeshFormat format,
   const HullOutcome outcome = convex_hull(points);
   if (const auto* hull = std::get_if<Hull>(&outcome)) {
     mesh.polygons = polygons_of(hull->facets);
-  } else if (format == MeshFormat::Stl) {
+  } else if (holds_binary32_only(format)) {
     return std::nullopt;  // there are no triangles to write
   }
   return write_mesh(mesh, format, {.precision = precision});

@@ -25,11 +25,8 @@ struct Foreign {
 };
 
 constexpr std::array kForeign = {
-    Foreign{"a glTF binary (GLB), which is not read", "glTF", ".glb", kExport},
-    Foreign{"a glTF file, which is not read", "", ".gltf", kExport},
     Foreign{"an FBX file, which is not read", "Kaydara FBX Binary", ".fbx", kExport},
     Foreign{"a 3D Studio file, which is not read", "", ".3ds .max", kExport},
-    Foreign{"a Collada file, which is not read", "", ".dae", kExport},
     Foreign{"a Blender file, which is not read", "BLENDER", ".blend", kExport},
     Foreign{"a USD crate, which is not read", "PXR-USDC", ".usdc .usd .usdz", kExport},
     Foreign{"a STEP file, of curved surfaces", "ISO-10303-21", ".step .stp .igs .iges",
@@ -71,10 +68,10 @@ bool has_word(std::string_view words, std::string_view word) {
 
 // Text formats without a fixed first word.
 void refuse_markup(std::string_view bytes) {
+  if (is_collada(bytes)) return;
   const std::string start = lower_case(bytes.substr(0, 4096));
   const std::size_t first = start.find_first_not_of(" \t\r\n");
   if (first == start.npos || start[first] != '<') return;
-  if (start.find("<collada") != start.npos) refuse("a Collada file, which is not read", kExport);
   if (start.find("<robot") != start.npos) {
     refuse("a robot model (URDF)",
            "name the meshes in it; verify --union reads those of convexact");
@@ -139,6 +136,8 @@ std::optional<MeshFormat> readable_mesh_format(const std::string& path) {
   if (has_word(".pts .csv .xyzn .xyzrgb", extension)) return MeshFormat::Xyz;
   if (extension == ".pcd") return MeshFormat::Pcd;
   if (extension == ".ext") return MeshFormat::Ext;
+  if (extension == ".gltf") return MeshFormat::Gltf;
+  if (extension == ".dae") return MeshFormat::Collada;
   return {};
 }
 
@@ -158,6 +157,8 @@ FileKind kind_of_file(std::string_view bytes, const std::string& path) {
   const std::optional<MeshFormat> mesh = readable_mesh_format(path);
   const std::optional<HalfspaceFormat> halfspaces = halfspace_format_of_path(path);
   if (is_off_of_qhull(bytes)) return {MeshFormat::Off, {}};
+  if (bytes.starts_with("glTF")) return {MeshFormat::Gltf, {}};
+  if (is_collada(bytes)) return {MeshFormat::Collada, {}};
   if (mesh == MeshFormat::Ext && !is_v_representation(bytes)) return {{}, HalfspaceFormat::Ine};
   if (mesh) return {mesh, {}};
   if (halfspaces == HalfspaceFormat::Rows && is_cloud_of_qhull(bytes)) {
@@ -170,8 +171,9 @@ FileKind kind_of_file(std::string_view bytes, const std::string& path) {
   if (found == MeshFormat::Obj && !begins_as_obj(bytes)) {
     throw Error(
         ErrorCode::Unreadable,
-        "this is no file that is read: expected OBJ, OFF, PLY, STL, a point cloud (.xyz, "
-        ".pts, .csv, .pcd) or halfspaces (.json, .ine, .txt); an extension names the format");
+        "this is no file that is read: expected OBJ, OFF, PLY, STL, glTF (.glb, .gltf), COLLADA "
+        "(.dae), a point cloud (.xyz, .pts, .csv, .pcd) or halfspaces (.json, .ine, .txt); an "
+        "extension names the format");
   }
   return {found, {}};
 }

@@ -15,11 +15,18 @@ Mesh read_ply(std::string_view bytes, const ReadOptions& options);
 Mesh read_stl(std::string_view bytes, const ReadOptions& options);
 Mesh read_xyz(std::string_view bytes, const ReadOptions& options);
 Mesh read_pcd(std::string_view bytes, const ReadOptions& options);
+/// Also Unreadable for what the format allows and this reader does not know, such as compression,
+/// and for files that it may not open.
+Mesh read_gltf(std::string_view bytes, const ReadOptions& options);
+Mesh read_collada(std::string_view bytes, const ReadOptions& options);
 /// @throws Error also NoInterior for a ray or a line.
 Mesh read_ext(std::string_view bytes, const ReadOptions& options);
 
 /// Whether a text is what qhull's option o writes: an OFF with "3" in the place of its header.
 bool is_off_of_qhull(std::string_view bytes);
+
+/// Whether bytes are XML with an element COLLADA soon.
+bool is_collada(std::string_view bytes);
 
 /// Whether an .ine or .ext says so.
 bool is_v_representation(std::string_view bytes);

@@ -2,6 +2,7 @@
 // point_collector.hpp - gathers the points of a file as doubles or as spelled.
 #pragma once
 #include <array>
+#include <cmath>
 #include <vector>
 
 #include "convexact/geometry.hpp"
@@ -25,6 +26,22 @@ class PointCollector {
   void add(const Point& point) {
     doubles_.push_back(point);
     if (decimal_ == Decimal::Exact) rationals_.push_back(to_rational(point));
+  }
+
+  /// A point that was computed: itself, or its nearest double or binary32 number, as asked.
+  /// @throws Error NotFinite beyond the largest one.
+  void add(const RationalPoint& point) {
+    const Precision precision =
+        decimal_ == Decimal::Nearest32 ? Precision::Binary32 : Precision::Binary64;
+    Point nearest;
+    for (int k = 0; k < 3; ++k) {
+      nearest[k] = round_to(precision, point[k], Rounding::Nearest);
+      if (!std::isfinite(nearest[k])) {
+        throw Error(ErrorCode::NotFinite, "a coordinate is beyond the largest number");
+      }
+    }
+    doubles_.push_back(nearest);
+    if (decimal_ == Decimal::Exact) rationals_.push_back(point);
   }
 
   std::size_t size() const { return doubles_.size(); }

@@ -4,6 +4,7 @@
 
 #include "convexact/error.hpp"
 #include "convexact/io.hpp"
+#include "io/file_beside.hpp"
 #include "io/file_kind.hpp"
 #include "io/mesh_readers.hpp"
 #include "io/point_collector.hpp"
@@ -33,11 +34,14 @@ std::optional<MeshFormat> mesh_format_of_path(const std::string& path) {
   if (extension == ".ply") return MeshFormat::Ply;
   if (extension == ".stl") return MeshFormat::Stl;
   if (extension == ".xyz") return MeshFormat::Xyz;
+  if (extension == ".glb") return MeshFormat::Gltf;
   return {};
 }
 
 MeshFormat mesh_format_of_content(std::string_view bytes) {
   if (is_binary_stl(bytes)) return MeshFormat::Stl;
+  if (bytes.starts_with("glTF")) return MeshFormat::Gltf;
+  if (is_collada(bytes)) return MeshFormat::Collada;
   // '#' begins a comment in OFF and OBJ; a PLY or STL file does not start with one.
   TextCursor cursor(bytes, {.comment = '#'});
   if (starts_with_a_point(cursor)) return MeshFormat::Xyz;
@@ -63,6 +67,10 @@ Mesh read_mesh_bytes(std::string_view bytes, const ReadOptions& options) {
       return read_pcd(bytes, options);
     case MeshFormat::Ext:
       return read_ext(bytes, options);
+    case MeshFormat::Gltf:
+      return read_gltf(bytes, options);
+    case MeshFormat::Collada:
+      return read_collada(bytes, options);
     case MeshFormat::Obj:
       break;
   }
@@ -72,6 +80,7 @@ Mesh read_mesh_bytes(std::string_view bytes, const ReadOptions& options) {
 Mesh read_mesh(const std::string& path, const ReadOptions& options) {
   const std::string bytes = read_bytes(path);
   ReadOptions resolved = options;
+  if (resolved.folder.empty()) resolved.folder = folder_of_file(path);
   try {
     if (!resolved.format) {
       resolved.format = kind_of_file(bytes, path).mesh;

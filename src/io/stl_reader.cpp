@@ -3,53 +3,16 @@
 // merges points that are exactly equal. Normals and attribute bytes are ignored.
 #include <algorithm>
 #include <cmath>
-#include <unordered_set>
 
 #include "io/binary_cursor.hpp"
 #include "io/mesh_readers.hpp"
-#include "io/point_collector.hpp"
+#include "io/point_merger.hpp"
 #include "number/text.hpp"
 
 namespace convexact {
 namespace {
 
 constexpr std::size_t kHeaderSize = 84, kTriangleSize = 50;
-
-// Collects points and gives equal ones the index of the first.
-class PointMerger {
- public:
-  explicit PointMerger(Decimal decimal) : points_(decimal) {}
-
-  template <class... Place>
-  std::uint32_t add(Place&&... place) {
-    points_.add(std::forward<Place>(place)...);
-    const auto [found, is_new] = known_.insert(static_cast<std::uint32_t>(points_.size() - 1));
-    if (!is_new) points_.drop_last();
-    return *found;
-  }
-  PointSet finish() { return points_.finish(); }
-
- private:
-  struct Hash {
-    const PointCollector* points;
-    std::size_t operator()(std::uint32_t index) const {
-      std::size_t hash = 0;
-      for (const double x : points->double_at(index)) {
-        // x + 0.0 turns -0 into the 0 that it equals; the multiplier is 2^64 over the golden ratio.
-        hash = (hash ^ std::bit_cast<std::uint64_t>(x + 0.0)) * 0x9E3779B97F4A7C15u;
-        hash ^= hash >> 32;
-      }
-      return hash;
-    }
-  };
-  struct Equal {
-    const PointCollector* points;
-    bool operator()(std::uint32_t a, std::uint32_t b) const { return points->equal(a, b); }
-  };
-
-  PointCollector points_;
-  std::unordered_set<std::uint32_t, Hash, Equal> known_{16, Hash{&points_}, Equal{&points_}};
-};
 
 std::size_t announced_triangles(std::string_view bytes) {
   return BinaryCursor(bytes, 80, ByteOrder::Little).take<std::uint32_t>();

@@ -5,6 +5,7 @@
 
 #include "convexact/error.hpp"
 #include "convexact/io.hpp"
+#include "io/glb_writer.hpp"
 #include "io/output_buffer.hpp"
 
 namespace convexact {
@@ -187,8 +188,13 @@ std::string write_stl_binary(const Mesh& mesh) {
 }  // namespace
 
 std::string write_mesh(const Mesh& mesh, MeshFormat format, const MeshWriteOptions& options) {
-  if (format == MeshFormat::Pcd || format == MeshFormat::Ext) {
-    throw Error(ErrorCode::InvalidArgument, "PCD and V-representations are read, not written");
+  if (format == MeshFormat::Pcd || format == MeshFormat::Ext || format == MeshFormat::Collada) {
+    throw Error(ErrorCode::InvalidArgument,
+                "PCD, V-representations and COLLADA are read, not written");
+  }
+  if (format == MeshFormat::Gltf) {
+    check_representable(mesh, Precision::Binary32);
+    return write_glb(mesh, parts_of(mesh));
   }
   const bool is_binary = options.encoding == Encoding::Binary;
   const bool is_stl = format == MeshFormat::Stl;

@@ -9,6 +9,7 @@
 #include "convexact/error.hpp"
 #include "convexact/io.hpp"
 #include "convexact/measure.hpp"
+#include "io/file_beside.hpp"
 #include "io/file_kind.hpp"
 #include "io/names.hpp"
 #include "number/text.hpp"
@@ -288,7 +289,9 @@ Candidate read_candidate_bytes(std::string_view bytes, const std::string& path, 
   try {
     const auto [mesh, halfspaces] = kind_of_file(bytes, path);
     if (halfspaces) return read_halfspaces_bytes(bytes, *halfspaces, decimal);
-    return read_mesh_bytes(bytes, {.decimal = decimal, .format = mesh, .strict = true});
+    return read_mesh_bytes(
+        bytes,
+        {.decimal = decimal, .format = mesh, .strict = true, .folder = folder_of_file(path)});
   } catch (const Error& error) {
     return fault_of_candidate(error, path);
   }

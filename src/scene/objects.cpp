@@ -10,6 +10,7 @@
 #include "convexact/io.hpp"
 #include "convexact/overlay.hpp"
 #include "convexact/scene.hpp"
+#include "io/file_beside.hpp"
 #include "io/file_kind.hpp"
 #include "solid/solid.hpp"
 
@@ -69,8 +70,10 @@ SceneObject extract_part(const Mesh& mesh, const MeshPart& part, const std::stri
 void read_mesh_objects(const std::string& path, const std::string& bytes, MeshFormat format,
                        const SceneOptions& options, std::vector<SceneObject>& objects) {
   const std::string file = display_name(path);
-  Mesh mesh = read_mesh_bytes(
-      bytes, {.decimal = options.decimal, .format = format, .skip_bad = options.skip_bad});
+  Mesh mesh = read_mesh_bytes(bytes, {.decimal = options.decimal,
+                                      .format = format,
+                                      .skip_bad = options.skip_bad,
+                                      .folder = folder_of_file(path)});
   if (options.on_note) {
     for (const std::string& note : mesh.notes) options.on_note(file, note);
   }

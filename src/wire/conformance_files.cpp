@@ -13,6 +13,7 @@
 #include "convexact/io.hpp"
 #include "convexact/number.hpp"
 #include "convexact/verify.hpp"
+#include "io/base64.hpp"
 #include "io/json_text.hpp"
 #include "number/text.hpp"
 #include "simplify/run_names.hpp"
@@ -91,23 +92,6 @@ PointSet to_points(const json& list) { return points_of_json(list, "point", to_c
 HalfspaceList to_halfspaces(const json& list) {
   return halfspaces_of_json(
       list, [](const json& x) { return to_exact(x.get_ref<const std::string&>()); });
-}
-
-std::string from_base64(const std::string& text) {
-  constexpr std::string_view kDigits =
-      "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-  std::string bytes;
-  std::uint32_t bits = 0;
-  int count = 0;
-  for (const char c : text) {
-    if (c == '=') break;
-    const std::size_t digit = kDigits.find(c);
-    if (digit == std::string_view::npos) fail("expected base64, found " + in_quotes(text));
-    bits = bits << 6 | static_cast<std::uint32_t>(digit);
-    count += 6;
-    if (count >= 8) bytes += static_cast<char>(bits >> (count -= 8) & 0xFF);
-  }
-  return bytes;
 }
 
 RawFile to_file(const json& file) {

@@ -125,9 +125,9 @@ std::string summary(const InnerResult& result) {
 
 std::string proven_inner_bytes(std::span<const NamedInner> results, const std::string& path) {
   if (const auto format = mesh_format_of_path(path)) {
-    if (*format == MeshFormat::Stl) {
+    if (holds_binary32_only(*format)) {
       throw Error(ErrorCode::Unrepresentable,
-                  path + ": STL holds binary32, which would move vertices of the result");
+                  path + ": STL and GLB hold binary32, which would move vertices of the result");
     }
     std::string bytes = mesh_bytes(results, *format);
     prove_mesh(bytes, path, *format, results);

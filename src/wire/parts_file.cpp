@@ -9,6 +9,7 @@
 #include "convexact/decompose.hpp"
 #include "convexact/error.hpp"
 #include "convexact/io.hpp"
+#include "io/file_beside.hpp"
 #include "io/file_kind.hpp"
 #include "io/json_text.hpp"
 #include "scene/objects.hpp"
@@ -113,8 +114,11 @@ CandidateParts read_parts_bytes(std::string_view bytes, const std::string& path,
     const std::string stem = path == "-" ? "input" : fs::path(path).stem().string();
     const FileKind kind = kind_of_file(bytes, path);
     if (!kind.mesh) reject_parts("a mesh with an object per part, found halfspaces");
-    return parts_of_mesh(
-        read_mesh_bytes(bytes, {.decimal = decimal, .format = kind.mesh, .strict = true}), stem);
+    return parts_of_mesh(read_mesh_bytes(bytes, {.decimal = decimal,
+                                                 .format = kind.mesh,
+                                                 .strict = true,
+                                                 .folder = folder_of_file(path)}),
+                         stem);
   } catch (const Error& error) {
     return fault_of_candidate(error, path);
   }

@@ -64,10 +64,11 @@ void require_held(const std::string& path, const WrittenPart& written,
   reject_bytes(path, "misses a corner of a triangle that " + in_quotes(written.name) + " owns");
 }
 
-std::string proven_parts_obj(std::span<const WrittenPart> parts, const std::string& path) {
+std::string proven_parts_mesh(std::span<const WrittenPart> parts, MeshFormat format,
+                              const std::string& path) {
   std::vector<NamedMesh> objects;
   for (const WrittenPart& part : parts) objects.push_back({part.name, &part.part->mesh});
-  std::string bytes = write_mesh(joined(objects), MeshFormat::Obj);
+  std::string bytes = write_mesh(joined(objects), format);
   require_parts(bytes, path, parts);
   return bytes;
 }

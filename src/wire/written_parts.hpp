@@ -28,14 +28,15 @@ struct WrittenPart {
 void require_held(const std::string& path, const WrittenPart& written,
                   std::span<const Halfspace> halfspaces);
 
-/// An OBJ with an object for each part. A segment or a point is a triangle with equal corners.
+/// An OBJ or, of parts in binary32, a GLB with an object for each part. A segment or a point is a
+/// triangle with equal corners.
 /// @param path   For messages.
 /// @throws Error Internal if the bytes lose a part, or a corner of a triangle that it owns.
-[[nodiscard]] std::string proven_parts_obj(std::span<const WrittenPart> parts,
-                                           const std::string& path);
+[[nodiscard]] std::string proven_parts_mesh(std::span<const WrittenPart> parts, MeshFormat format,
+                                            const std::string& path);
 
 /// A document with these parts under "parts", each with "vertices" and "halfspaces".
-/// @throws Error as proven_parts_obj(); both the hull of the vertices and the halfspaces must hold
+/// @throws Error as proven_parts_mesh(); both the hull of the vertices and the halfspaces must hold
 ///               what a part owns.
 [[nodiscard]] std::string proven_parts_json(const Json& document,
                                             std::span<const WrittenPart> parts,

@@ -20,6 +20,22 @@ Mesh small_mesh() {
   return mesh;
 }
 
+Mesh in_binary32() {
+  Mesh mesh = small_mesh();
+  mesh.points =
+      PointSet(std::vector<Point>{{0, 0, 0}, {1.5, 0, 0}, {0, 0x1p-20, 0}, {0, 0, -1e20f}});
+  return mesh;
+}
+
+const std::string kCollada =
+    R"(<COLLADA><library_geometries><geometry id="g"><mesh><source id="p"><float_array id="a">
+0 0 0 1 0 0 0 1 0 0 0 1</float_array><technique_common><accessor source="#a" count="4" stride="3"/>
+</technique_common></source><vertices id="v"><input semantic="POSITION" source="#p"/></vertices>
+<polylist><input semantic="VERTEX" source="#v"/><vcount>3 4</vcount><p>0 1 2 0 1 2 3</p></polylist>
+</mesh></geometry></library_geometries><library_visual_scenes><visual_scene id="s"><node>
+<rotate>0 0 1 30</rotate><matrix>2 0 0 0 0 1 0 0 0 0 1 9 0 0 0 1</matrix><instance_geometry url="#g"/>
+</node></visual_scene></library_visual_scenes><scene><instance_visual_scene url="#s"/></scene></COLLADA>)";
+
 struct Sample {
   MeshFormat format;
   std::string bytes;
@@ -35,6 +51,8 @@ std::vector<Sample> samples() {
     all.push_back(
         {format, write_mesh(small_mesh(), format, {Precision::Binary32, Encoding::Binary})});
   }
+  all.push_back({MeshFormat::Gltf, write_mesh(in_binary32(), MeshFormat::Gltf)});
+  all.push_back({MeshFormat::Collada, kCollada});
   return all;
 }
 

@@ -26,7 +26,7 @@ struct TwoParts {
   std::vector<WrittenPart> written() const {
     return {{"a", &made.parts[0], &made.surface}, {"b", &made.parts[1], &made.surface}};
   }
-  std::string obj() const { return proven_parts_obj(written(), "x.obj"); }
+  std::string obj() const { return proven_parts_mesh(written(), MeshFormat::Obj, "x.obj"); }
   std::string json() const {
     const std::vector<std::string> names = {"a", "b"};
     return proven_parts_json(decomposition_json(made, request, names, DecompositionDetail::All),
@@ -88,7 +88,7 @@ TEST_CASE("written parts: an owner of too much, and parts that a reader would ta
   const TwoParts same;
   std::vector<WrittenPart> parts = same.written();
   parts[1].name = parts[0].name;
-  CHECK(is_noticed([&] { return proven_parts_obj(parts, "x.obj"); }));
+  CHECK(is_noticed([&] { return proven_parts_mesh(parts, MeshFormat::Obj, "x.obj"); }));
 }
 
 TEST_CASE("written parts: of several objects, their documents and all parts together") {
