@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: MIT
-// measure.hpp - volume, surface area, mean width, distance and box of solids.
+// measure.hpp - volume, surface area, mean width, inertia, distance and box of solids.
 //
 // Rational measures are exact: boxes, volumes, squared distances. Areas and mean widths are sums of
 // roots and angles and come as enclosures of any precision. docs/measures.md derives the formulas.
 #pragma once
 #include <algorithm>
+#include <array>
 #include <atomic>
 #include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -64,6 +66,26 @@ namespace convexact {
 /// @throws Error Stopped when the watch ends the call.
 [[nodiscard]] Cost exact_measure(const Polytope& polytope, CostMeasure measure,
                                  const Watch& watch = {});
+
+/// Of a solid of density 1.
+struct MassProperties {
+  Rational volume;       ///< In cubed length units; > 0.
+  RationalPoint center;  ///< Of mass.
+  /// The integral of (x - center) (x - center)^T: its entries xx, yy, zz, xy, xz, yz.
+  std::array<Rational, 6> moments;
+
+  /// The tensor of inertia about the center: xx, yy, zz, xy, xz, yz, such as the integral of
+  /// y^2 + z^2, and the negative one of x y.
+  std::array<Rational, 6> inertia() const;
+};
+
+/// Exactly.
+/// @par Cost  O(corners) products; the last additions are as long as the result.
+[[nodiscard]] MassProperties mass_properties(const Polytope& polytope);
+
+/// Of bodies of density 1 as one body; what lies in two of them counts twice. Nothing without a
+/// volume.
+[[nodiscard]] std::optional<MassProperties> put_together(std::span<const MassProperties> bodies);
 
 /// Finds the nearest point of one polytope. Space outside is divided into the regions of points
 /// that are nearest to one facet, edge or vertex; each is bounded by planes, so that only signs of

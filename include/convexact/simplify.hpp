@@ -131,6 +131,7 @@ using SimplifyOutcome = std::variant<SimplifyResult, NotSolid>;
 
 struct HullRequest {
   bool volume = true, area = true, mean_width = true;  ///< The measures to compute.
+  bool inertia = false;       ///< Volume, center of mass and inertia, as fractions.
   int digits = 10;            ///< Certain decimal digits of each measure, 1 to 10000.
   bool exact_volume = false;  ///< The volume as a rational too.
   std::uint64_t seed = 1;     ///< Of every random order. The answer does not depend on it.
@@ -147,6 +148,7 @@ struct HullResult {
   Measured diameter;  ///< Diagonal of the box, in length units.
   // In cubed, squared and plain length units; each if asked for.
   std::optional<Measured> volume, area, mean_width;
+  std::optional<MassProperties> mass = {};
   std::vector<Stage> stages;  ///< Each with its time, or the reason why it was left out.
 };
 

@@ -101,6 +101,7 @@ Json document_of(const std::vector<DecomposedObject>& objects, const FilesOfPart
   if (objects.size() == 1) document["input"] = objects[0].name;
   document["files"] = options.files.all_paths();
   document["removed"] = out.removed;
+  if (!out.mass.is_null()) document["mass"] = out.mass;
   if (!out.notes.empty()) document["notes"] = out.notes;
   return document;
 }
@@ -111,7 +112,7 @@ std::string summary_of(const std::vector<DecomposedObject>& objects, const Files
   for (const DecomposedObject& object : objects) {
     text += object.name + "\n" + summary(object.result, object.request, object.part_names);
   }
-  text += out.tree_summary;
+  text += out.tree_summary + out.mass_summary;
   for (const std::string& path : options.files.all_paths()) text += "  written     " + path + "\n";
   for (const std::string& path : out.removed) {
     text += "  removed     " + path + ", of an earlier run\n";
@@ -172,7 +173,8 @@ int run_decompose(const DecomposeArguments& given) {
   options.files.require_room_for(scene.size());
   if (!folder_note.empty()) run.note(options.input, folder_note);
   if (request.precision != options.request.precision && options.files.need_binary32()) {
-    run.note(options.input, "the parts are in binary32, rounded outward, as simulators and GLB take them");
+    run.note(options.input,
+             "the parts are in binary32, rounded outward, as simulators and GLB take them");
   }
   request.watch = run.watch();
   std::vector<DecomposedObject> objects;
@@ -253,7 +255,8 @@ void add_decompose_command(Command& program, int& exit_code) {
                       "--total-faces", "--concavity",  "--guard",
                       "--merge",       "--output",     "--names",
                       "--picture",     "--proof",      "--precision",
-                      "--measures",    "--parts",      "--json"});
+                      "--measures",    "--parts",      "--up",
+                      "--scale",       "--density",    "--json"});
 }
 
 }  // namespace convexact::cli

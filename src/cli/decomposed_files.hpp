@@ -10,8 +10,17 @@
 #include "cli/outputs.hpp"
 #include "convexact/decompose.hpp"
 #include "wire/decompose_report.hpp"
+#include "wire/model_body.hpp"
 
 namespace convexact::cli {
+
+/// What models for simulators say beside the shapes; no number of a shape depends on it.
+struct ModelOptions {
+  std::string name;  ///< Of the body; empty: that of the file.
+  UpAxis up = UpAxis::Z;
+  Rational scale = 1;       ///< Meters for each unit of the file.
+  Rational density = 1000;  ///< In kilograms for each cubic meter.
+};
 
 /// Paths, each empty for none. A new kind joins all_paths(), decomposed_files() and the options.
 struct DecomposeFiles {
@@ -22,10 +31,13 @@ struct DecomposeFiles {
   std::string trace;                      ///< Every merge.
   std::string proof;                      ///< For convexact-check.
   std::string picture;                    ///< A page.
+  ModelOptions model;                     ///< What models say of the body.
 
   std::vector<std::string> all_paths() const;
   /// Whether one of the results holds binary32 numbers: a model for simulators, or a GLB.
   bool need_binary32() const;
+  /// Whether one of them is a model for simulators.
+  bool have_model() const;
   /// A folder for the parts that a model names, if it has none: spot_parts/ beside spot.urdf. What
   /// to say of it; empty if none is missing.
   std::string add_missing_folder();
@@ -41,7 +53,8 @@ struct DecomposeFiles {
   void require_room_for(std::size_t objects) const;
 };
 
-/// Adds -o, --names, --tree, --tree-faces, --trace, --proof and --picture.
+/// Adds -o, --names, --tree, --tree-faces, --trace, --proof, --picture, --name, --up, --scale and
+/// --density.
 void add_decompose_files(Command& command, DecomposeFiles& files);
 
 /// Names the parts after the pattern. Parts of several objects begin with the name of theirs, or
@@ -56,6 +69,8 @@ struct FilesOfParts {
   std::vector<std::string> removed;  ///< Files of an earlier run, which must go.
   std::vector<std::string> notes;
   std::string tree_summary;
+  std::string mass_summary;
+  Json mass;  ///< Of a run that writes models; else null.
 };
 
 /// Every file, its bytes proven. @param files  As require_sensible() and require_room_for() accept.

@@ -17,6 +17,7 @@ constexpr const char* kHullFooter =
     "  convexact hull bunny.obj --digits 50 -o hull.obj -o planes.ine\n"
     "  convexact hull planes.json --json\n"
     "  convexact hull scan.ply --measures volume     without the slow area and mean width\n"
+    "  convexact hull box.obj --measures inertia     and center of mass, for density 1\n"
     "\n"
     "Every digit printed is certain: off by less than one unit of the last one.\n"
     "Planes are written as exact integers unless --precision is given.";
@@ -49,8 +50,9 @@ void take_measures(const std::string& option, const std::string& text, HullReque
   constexpr auto kMeasures =
       name_table<bool HullRequest::*>({{&HullRequest::volume, "volume"},
                                        {&HullRequest::area, "area"},
-                                       {&HullRequest::mean_width, "mean-width"}});
-  request.volume = request.area = request.mean_width = false;
+                                       {&HullRequest::mean_width, "mean-width"},
+                                       {&HullRequest::inertia, "inertia"}});
+  request.volume = request.area = request.mean_width = request.inertia = false;
   if (text == "none") return;
   for (const auto measure : parse_words(option, text, kMeasures, ", or none"))
     request.*measure = true;
@@ -84,7 +86,8 @@ void add_hull_command(Command& program, int& exit_code) {
   add_scene_options(command, options->scene);
   add_count(command, "--digits", options->request.digits, {1, 10000},
             "certain digits of each measure");
-  add_text(command, "--measures", "compute only these, out of volume,area,mean-width, or none",
+  add_text(command, "--measures",
+           "compute only these, out of volume,area,mean-width,inertia, or none",
            [&request = options->request](const auto& option, const auto& text) {
              take_measures(option, text, request);
            })

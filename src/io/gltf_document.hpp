@@ -5,7 +5,6 @@
 // "Section" means the glTF 2.0 Specification of the Khronos Group, 2.0.1.
 #pragma once
 #include <map>
-#include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
 #include <string_view>

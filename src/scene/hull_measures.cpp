@@ -50,6 +50,11 @@ void add_measures(HullResult& result, const HullRequest& request, StageLog& log)
   result.mean_width = run("mean width", request.mean_width, [&](long bits, const Watch& watch) {
     return mean_width(hull, bits, watch);
   });
+  if (request.inertia) {
+    result.mass = log.run("inertia", [&] { return mass_properties(hull); });
+  } else {
+    log.skip("inertia", "not among the measures asked for");
+  }
 }
 
 }  // namespace

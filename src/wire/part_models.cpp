@@ -4,7 +4,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
+#include <map>
+#include <pugixml.hpp>
 
 #include "convexact/error.hpp"
 #include "io/json.hpp"
@@ -30,81 +31,143 @@ namespace {
 
 constexpr const char* kXmlHead = "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n";
 
+// Roll, pitch, yaw: from y upward to z upward.
+constexpr const char* kTurnUp = "1.5707963267948966 0 0";
+
 // The value of an attribute, with its quotes.
 std::string xml_value(const std::string& text) {
   require_model_text(text);
   return "\"" + escaped_markup(text) + "\"";
 }
 
+// Shortest decimals, with blanks between.
+std::string words(const auto& numbers) {
+  return fmt::format("{}", fmt::join(std::begin(numbers), std::end(numbers), " "));
+}
+
+std::string scale_attribute(const ModelBody& body) {
+  return body.scale == 1 ? "" : fmt::format(" scale=\"{0} {0} {0}\"", body.scale);
+}
+
 }  // namespace
 
-std::string write_mjcf(const std::string& model, std::span<const PartFile> parts) {
+std::string write_mjcf(const ModelBody& body, std::span<const PartFile> parts) {
   std::string text = kXmlHead;
-  text += "<mujoco model=" + xml_value(model) + ">\n  <asset>\n";
+  text += "<mujoco model=" + xml_value(body.name) + ">\n  <asset>\n";
+  const std::string size = scale_attribute(body);
   for (const PartFile& part : parts) {
-    text +=
-        fmt::format("    <mesh name={} file={}/>\n", xml_value(part.name), xml_value(part.path));
+    text += fmt::format("    <mesh name={} file={}{}/>\n", xml_value(part.name),
+                        xml_value(part.path), size);
   }
-  text += "  </asset>\n  <worldbody>\n    <body>\n";
+  text += "  </asset>\n  <worldbody>\n    <body";
+  if (body.up == UpAxis::Y) text += " quat=\"0.7071067811865476 0.7071067811865476 0 0\"";
+  text += ">\n";
+  if (const auto& mass = body.mass) {
+    text += fmt::format("      <inertial pos=\"{}\" mass=\"{}\" fullinertia=\"{}\"/>\n",
+                        words(mass->center), mass->mass, words(mass->inertia));
+  }
   for (const PartFile& part : parts) {
     text += fmt::format("      <geom name={0} type=\"mesh\" mesh={0}/>\n", xml_value(part.name));
   }
   return text + "    </body>\n  </worldbody>\n</mujoco>\n";
 }
 
-std::string write_urdf(const std::string& model, std::span<const PartFile> parts) {
+namespace {
+
+// How a mesh stands and how large it is, as a shape of a link.
+std::string urdf_mesh(const ModelBody& body, const std::string& path) {
+  const std::string turn = body.up == UpAxis::Y
+                               ? fmt::format("      <origin xyz=\"0 0 0\" rpy=\"{}\"/>\n", kTurnUp)
+                               : "";
+  return turn + fmt::format("      <geometry>\n        <mesh filename={}{}/>\n      </geometry>\n",
+                            xml_value(path), scale_attribute(body));
+}
+
+std::string urdf_inertial(const ModelBody& body) {
+  if (!body.mass) return "";
+  const bool is_turned = body.up == UpAxis::Y;
+  const Point& c = body.mass->center;
+  const Point center = is_turned ? Point(c.x(), -c.z(), c.y()) : c;
+  const auto& [xx, yy, zz, xy, xz, yz] = body.mass->inertia;
+  return fmt::format(
+      "    <inertial>\n      <origin xyz=\"{}\" rpy=\"{}\"/>\n      <mass value=\"{}\"/>\n"
+      "      <inertia ixx=\"{}\" iyy=\"{}\" izz=\"{}\" ixy=\"{}\" ixz=\"{}\" iyz=\"{}\"/>\n"
+      "    </inertial>\n",
+      words(center), is_turned ? kTurnUp : "0 0 0", body.mass->mass, xx, yy, zz, xy, xz, yz);
+}
+
+}  // namespace
+
+std::string write_urdf(const ModelBody& body, std::span<const PartFile> parts) {
   std::string text = kXmlHead;
-  text += fmt::format("<robot name={0}>\n  <link name={0}>\n", xml_value(model));
+  text += fmt::format("<robot name={0}>\n  <link name={0}>\n", xml_value(body.name));
+  text += urdf_inertial(body);
+  if (!body.visual.empty()) {
+    text += "    <visual>\n" + urdf_mesh(body, body.visual) + "    </visual>\n";
+  }
   for (const PartFile& part : parts) {
-    text += fmt::format(
-        "    <collision name={}>\n      <geometry>\n        <mesh filename={}/>\n"
-        "      </geometry>\n    </collision>\n",
-        xml_value(part.name), xml_value(part.path));
+    text += fmt::format("    <collision name={}>\n", xml_value(part.name)) +
+            urdf_mesh(body, part.path) + "    </collision>\n";
   }
   return text + "  </link>\n</robot>\n";
 }
 
 namespace {
 
-// The text that escaped_markup() made this of.
-std::string unescaped(std::string_view text) {
-  constexpr std::array<std::pair<std::string_view, char>, 4> kEscapes = {
-      {{"&amp;", '&'}, {"&lt;", '<'}, {"&gt;", '>'}, {"&quot;", '"'}}};
-  std::string plain;
-  while (!text.empty()) {
-    const auto escape = std::find_if(kEscapes.begin(), kEscapes.end(),
-                                     [&](const auto& e) { return text.starts_with(e.first); });
-    const bool is_escape = escape != kEscapes.end();
-    plain += is_escape ? escape->second : text.front();
-    text.remove_prefix(is_escape ? escape->first.size() : 1);
-  }
-  return plain;
+using pugi::xml_node;
+
+bool has_attribute(const xml_node& element, std::initializer_list<const char*> names) {
+  return std::any_of(names.begin(), names.end(),
+                     [&](const char* name) { return !element.attribute(name).empty(); });
 }
 
-// The values that stand between `before` and the next quote, one after another.
-std::vector<std::string> values_after(std::string_view bytes, std::string_view before) {
-  std::vector<std::string> values;
-  for (std::size_t at = bytes.find(before); at != bytes.npos; at = bytes.find(before, at)) {
-    at += before.size();
-    const std::size_t end = std::min(bytes.find('"', at), bytes.size());
-    values.push_back(unescaped(bytes.substr(at, end - at)));
+std::optional<std::vector<PartFile>> part_files_of_urdf(const xml_node& robot) {
+  const xml_node link = robot.child("link");
+  if (!link || link.next_sibling("link")) return {};
+  std::vector<PartFile> parts;
+  for (const xml_node& collision : link.children("collision")) {
+    const xml_node mesh = collision.child("geometry").child("mesh");
+    if (!mesh || collision.child("origin") || has_attribute(mesh, {"scale"})) return {};
+    parts.push_back({collision.attribute("name").value(), mesh.attribute("filename").value()});
   }
-  return values;
+  return parts;
+}
+
+// Elements that no model of ours has, such as compiler or default, could move or rename meshes.
+std::optional<std::vector<PartFile>> part_files_of_mjcf(const xml_node& model) {
+  std::map<std::string, std::string> path_of;
+  for (const xml_node& child : model.children()) {
+    const std::string_view name = child.name();
+    if (name != "asset" && name != "worldbody") return {};
+  }
+  for (const xml_node& mesh : model.child("asset").children()) {
+    if (has_attribute(mesh, {"scale", "refpos", "refquat"})) return {};
+    path_of[mesh.attribute("name").value()] = mesh.attribute("file").value();
+  }
+  const xml_node body = model.child("worldbody").first_child();
+  if (!body || body.next_sibling() || has_attribute(body, {"pos", "quat", "euler"})) return {};
+  std::vector<PartFile> parts;
+  for (const xml_node& geom : body.children()) {
+    if (std::string_view(geom.name()) == "inertial") continue;
+    const auto path = path_of.find(geom.attribute("mesh").value());
+    const bool is_mesh = std::string_view(geom.attribute("type").value()) == "mesh";
+    if (!is_mesh || path == path_of.end() || has_attribute(geom, {"pos", "quat", "euler"})) {
+      return {};
+    }
+    parts.push_back({geom.attribute("name").value(), path->second});
+  }
+  return parts;
 }
 
 }  // namespace
 
 std::optional<std::vector<PartFile>> part_files_of_model(std::string_view bytes) {
-  const bool is_mjcf = bytes.find("<mujoco") != bytes.npos;
-  const auto models = values_after(bytes, is_mjcf ? "<mujoco model=\"" : "<robot name=\"");
-  const auto names = values_after(bytes, is_mjcf ? "    <mesh name=\"" : "<collision name=\"");
-  const auto paths = values_after(bytes, is_mjcf ? " file=\"" : "<mesh filename=\"");
-  if (models.size() != 1 || names.size() != paths.size()) return std::nullopt;
-  std::vector<PartFile> parts;
-  for (std::size_t k = 0; k < names.size(); ++k) parts.push_back({names[k], paths[k]});
-  // Whatever else a model says, such as a pose or a scale, makes it another text.
-  const std::string again = is_mjcf ? write_mjcf(models[0], parts) : write_urdf(models[0], parts);
-  return again == bytes ? std::optional(parts) : std::nullopt;
+  pugi::xml_document document;
+  if (!document.load_buffer(bytes.data(), bytes.size())) return {};
+  auto parts = document.child("mujoco") ? part_files_of_mjcf(document.child("mujoco"))
+                                        : part_files_of_urdf(document.child("robot"));
+  const bool is_one = parts && !parts->empty();
+  return is_one ? std::move(parts) : std::nullopt;
 }
 
 bool is_part_model(const std::string& path) {

@@ -9,6 +9,7 @@
 #include <string_view>
 #include <vector>
 
+#include "wire/model_body.hpp"
 #include "wire/written_parts.hpp"
 
 namespace convexact {
@@ -23,24 +24,25 @@ struct PartFile {
 
 /// MuJoCo's MJCF: a mesh for each part and one body of all, which takes the hull of each mesh.
 /// @throws Error as require_model_text(), of each name and path.
-[[nodiscard]] std::string write_mjcf(const std::string& model, std::span<const PartFile> parts);
+[[nodiscard]] std::string write_mjcf(const ModelBody& body, std::span<const PartFile> parts);
 
-/// URDF: a link with a collision for each part.
+/// URDF: a link with a collision for each part, and the mesh itself to be seen.
 /// @throws Error as write_mjcf().
-[[nodiscard]] std::string write_urdf(const std::string& model, std::span<const PartFile> parts);
+[[nodiscard]] std::string write_urdf(const ModelBody& body, std::span<const PartFile> parts);
 
 /// Text of USD: an Xform with a Mesh for each part, each a collider by its convex hull. The names
-/// of prims are identifiers, all different; a name that is no identifier is kept for display.
+/// of prims are identifiers, all different; a name that is no identifier is kept for display. Mass
+/// and center of mass are those of the body; a simulator computes the tensor of inertia itself.
 /// @param parts  With a volume, in binary32.
 /// @param path   For messages.
 /// @throws Error as write_mjcf(); Internal if the points, read back as USD reads them, lose a
 ///               corner of a triangle that their part owns.
-[[nodiscard]] std::string proven_parts_usd(const std::string& model,
+[[nodiscard]] std::string proven_parts_usd(const ModelBody& body,
                                            std::span<const WrittenPart> parts,
                                            const std::string& path);
 
-/// The parts in the bytes of an MJCF or a URDF that write_mjcf() or write_urdf() made, in their
-/// order; nothing for any other model, which may place and scale its meshes.
+/// The parts in the bytes of an MJCF or a URDF of one body, in their order; nothing for a model
+/// that places or scales its meshes, or has shapes that are no meshes.
 [[nodiscard]] std::optional<std::vector<PartFile>> part_files_of_model(std::string_view bytes);
 
 /// The parts in the bytes of a USD that proven_parts_usd() made, as USD reads them; nothing for any

@@ -22,7 +22,11 @@ namespace {
 constexpr std::string_view kMeshLine = "    def Mesh \"",
                            kPointsLine = "        point3f[] points = [",
                            kCountsLine = "        int[] faceVertexCounts = [",
-                           kIndicesLine = "        int[] faceVertexIndices = [";
+                           kIndicesLine = "        int[] faceVertexIndices = [",
+                           kUnitLine = "    metersPerUnit = ", kUpLine = "    upAxis = ",
+                           kCenterLine = "    point3f physics:centerOfMass = ",
+                           kMassLine = "    float physics:mass = ",
+                           kMassSchema = "    prepend apiSchemas = [\"PhysicsMassAPI\"]";
 
 // A letter or _, then letters, digits and _, as every version of USD takes them. Each other
 // character becomes a _.
@@ -101,15 +105,26 @@ void append_mesh(OutputBuffer& out, const WrittenPart& part, const std::string& 
 
 // In MJCF and URDF the same numbers mean metres, with z upward; without these two lines USD would
 // mean centimetres and y upward.
-std::string write_usd(const std::string& model, std::span<const WrittenPart> parts) {
+std::string write_usd(const ModelBody& body, std::span<const WrittenPart> parts) {
+  const std::string& model = body.name;
   require_model_text(model);
   for (const WrittenPart& part : parts) require_model_text(part.name);
   const std::string root = identifier_of(model);
   OutputBuffer out;
   out.text("#usda 1.0\n(\n    defaultPrim = \"").text(root).text("\"\n");
-  out.text("    metersPerUnit = 1\n    upAxis = \"Z\"\n)\n\ndef Xform \"").text(root).text("\"");
-  if (root != model) out.text(" (\n    displayName = ").text(quoted(model)).text("\n)");
-  out.text("\n{\n");
+  out.text(kUnitLine).number(body.scale).text("\n").text(kUpLine);
+  out.text(body.up == UpAxis::Y ? "\"Y\"" : "\"Z\"")
+      .text("\n)\n\ndef Xform \"")
+      .text(root)
+      .text("\"");
+  if (root != model || body.mass) out.text(" (\n");
+  if (body.mass) out.text(kMassSchema).text("\n");
+  if (root != model) out.text("    displayName = ").text(quoted(model)).text("\n");
+  out.text(root != model || body.mass ? ")\n{\n" : "\n{\n");
+  if (const auto& mass = body.mass) {
+    append_point(out.text(kCenterLine), Point(mass->center / body.scale));
+    out.text("\n").text(kMassLine).number(mass->mass).text("\n\n");
+  }
   const std::vector<std::string> prims = prim_names(parts);
   for (std::size_t k = 0; k < parts.size(); ++k) {
     if (k > 0) out.text("\n");
@@ -161,9 +176,9 @@ std::vector<std::string> prim_names(std::span<const WrittenPart> parts) {
   return names;
 }
 
-std::string proven_parts_usd(const std::string& model, std::span<const WrittenPart> parts,
+std::string proven_parts_usd(const ModelBody& body, std::span<const WrittenPart> parts,
                              const std::string& path) {
-  const std::string bytes = write_usd(model, parts);
+  const std::string bytes = write_usd(body, parts);
   std::size_t meshes = 0, proven = 0;
   for (std::string_view rest = bytes; !rest.empty();) {
     const std::string_view line = rest.substr(0, rest.find('\n'));
@@ -211,8 +226,27 @@ std::string unquoted(std::string_view text) {
 
 }  // namespace
 
+namespace {
+
+// What write_usd() would write of the same body without its mass.
+std::string without_mass(std::string bytes) {
+  const auto cut = [&](std::string_view start, std::string_view end, std::string_view instead) {
+    const std::size_t first = bytes.find(start);
+    if (first == bytes.npos) return;
+    const std::size_t last = bytes.find(end, first + start.size());
+    if (last != bytes.npos) bytes.replace(first, last + end.size() - first, instead);
+  };
+  cut(kMassLine, "\n\n", "");
+  cut(kCenterLine, "\n", "");
+  cut(kMassSchema, "\n", "");
+  cut("\" (\n)", "\n{", "\"\n{");
+  return bytes;
+}
+
+}  // namespace
+
 std::optional<std::vector<NamedPart>> parts_of_usd(const std::string& bytes) {
-  std::string model;
+  ModelBody body;
   std::vector<std::string> names;
   std::vector<Part> parts;
   std::vector<std::uint32_t> counts, corners;
@@ -222,8 +256,12 @@ std::optional<std::vector<NamedPart>> parts_of_usd(const std::string& bytes) {
     const auto after = [&](std::string_view start) -> std::optional<std::string_view> {
       return line.starts_with(start) ? std::optional(line.substr(start.size())) : std::nullopt;
     };
-    if (const auto root = after("def Xform \"")) model = unquoted(*root);
-    if (const auto display = after("    displayName = \"")) model = unquoted(*display);
+    if (const auto root = after("def Xform \"")) body.name = unquoted(*root);
+    if (const auto display = after("    displayName = \"")) body.name = unquoted(*display);
+    if (const auto up = after(kUpLine)) body.up = *up == "\"Y\"" ? UpAxis::Y : UpAxis::Z;
+    if (const auto unit = after(kUnitLine)) {
+      (void)std::from_chars(unit->data(), unit->data() + unit->size(), body.scale);
+    }
     if (const auto prim = after(kMeshLine)) names.push_back(unquoted(*prim));
     if (const auto display = after("        displayName = \""); display && !names.empty()) {
       names.back() = unquoted(*display);
@@ -249,7 +287,7 @@ std::optional<std::vector<NamedPart>> parts_of_usd(const std::string& bytes) {
   std::vector<WrittenPart> written;
   for (std::size_t k = 0; k < parts.size(); ++k) written.push_back({names[k], &parts[k], nullptr});
   // Whatever else a scene says, such as a transform, makes it another text.
-  if (write_usd(model, written) != bytes) return std::nullopt;
+  if (write_usd(body, written) != without_mass(bytes)) return std::nullopt;
   std::vector<NamedPart> read;
   for (std::size_t k = 0; k < parts.size(); ++k) {
     read.push_back({names[k], std::move(parts[k].mesh)});

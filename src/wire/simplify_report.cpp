@@ -6,6 +6,7 @@
 #include "number/precision.hpp"
 #include "proof/proof.hpp"
 #include "simplify/run_names.hpp"
+#include "wire/mass_report.hpp"
 #include "wire/tie_report.hpp"
 
 namespace convexact {
@@ -193,6 +194,7 @@ Json hull_json(const HullResult& result, int digits) {
   if (result.volume) json["volume"] = measured_json(*result.volume, digits);
   if (result.area) json["area"] = measured_json(*result.area, digits);
   if (result.mean_width) json["mean_width"] = measured_json(*result.mean_width, digits);
+  if (result.mass) json["mass"] = mass_json(*result.mass);
   json["planes"] = hull.planes;
   json["vertices"] = vertices;
   json["facets"] = hull.facets;

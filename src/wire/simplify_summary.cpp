@@ -8,6 +8,7 @@
 #include "number/text.hpp"
 #include "proof/proof.hpp"
 #include "simplify/run_names.hpp"
+#include "wire/mass_report.hpp"
 #include "wire/simplify_report.hpp"
 #include "wire/tie_report.hpp"
 
@@ -284,6 +285,7 @@ std::string summary(const HullResult& result, int digits, bool verbose) {
   add("volume", result.volume);
   add("area", result.area);
   add("mean width", result.mean_width);
+  if (result.mass) text += mass_lines(*result.mass, digits);
   return text + stored_lines(result.solid, verbose);
 }
 
