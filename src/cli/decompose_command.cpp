@@ -2,14 +2,11 @@
 // convexact decompose: a mesh as few convex parts.
 #include <memory>
 
-#include "cli/decomposed_files.hpp"
-#include "cli/measures_options.hpp"
+#include "cli/decompose_arguments.hpp"
 #include "cli/outputs.hpp"
 #include "cli/part_files.hpp"
 #include "cli/promise_options.hpp"
-#include "cli/stdio_loop.hpp"
 #include "convexact/decompose.hpp"
-#include "convexact/verify.hpp"
 #include "io/json.hpp"
 #include "number/text.hpp"
 #include "scene/objects.hpp"
@@ -34,6 +31,7 @@ constexpr const char* kDecomposeFooter =
     "  convexact decompose cow.obj --proof cow.proof && convexact-check cow.proof cow.obj\n"
     "  convexact decompose cow.obj --total-faces 400 -o parts/ --tree tree.json --tree-faces 24\n"
     "  convexact decompose cow.obj --precision 32 -o parts/ -o cow.mjcf.xml -o cow.urdf\n"
+    "  convexact decompose robot.urdf --package my_robot=src/my_robot -o out/\n"
     "  convexact verify cow.obj parts.obj --distance 3%\n"
     "  convexact decompose --stdio <requests.jsonl\n"
     "\n"
@@ -51,19 +49,6 @@ constexpr const char* kDecomposeFooter =
     "cannot be split; the summary and \"eps_holds\" say so. 4: INPUT has no point, or all its "
     "faces lie in one\n"
     "plane.";
-
-struct DecomposeArguments {
-  GlobalOptions global;
-  std::string input;
-  SceneOptions scene;
-  DecomposeFiles files;
-  DecomposeRequest request = default_decompose_request();
-  MeasuresOptions measures;
-  std::optional<Tolerance> weld;
-  std::string profile;
-  StdioOptions stdio;
-  std::optional<Option> precision = {};
-};
 
 DecomposeRequest decompose_request(const DecomposeArguments& options) {
   DecomposeRequest request = options.request;
@@ -125,8 +110,8 @@ std::string summary_of(const std::vector<DecomposedObject>& objects, const Files
 }
 
 // decompose(), with the name of the object in errors about it.
-DecomposeOutcome decompose_object(const std::string& name, const Mesh& mesh,
-                                  const DecomposeRequest& request) {
+DecomposeOutcome decompose_mesh(const std::string& name, const Mesh& mesh,
+                                const DecomposeRequest& request) {
   try {
     return decompose(mesh, request);
   } catch (const Error& error) {
@@ -154,6 +139,37 @@ Mesh welded(Mesh mesh, const std::string& name, const DecomposeArguments& option
   return std::move(joined.mesh);
 }
 
+}  // namespace
+
+std::variant<DecomposedObject, FlatMesh> decompose_object(SceneObject object,
+                                                          const DecomposeRequest& request,
+                                                          const DecomposeArguments& options,
+                                                          CommandRun& run) {
+  const std::string name = object.name;
+  auto made = mesh_of(std::move(object));
+  if (const auto* reason = std::get_if<NotSolid>(&made)) return FlatMesh{name, *reason};
+  const Mesh mesh =
+      welded(with_hulls_of_clouds(std::get<Mesh>(std::move(made))), name, options, run);
+  DecomposeRequest own = with_method(mesh, request);
+  if (request.method == DecomposeMethod::Auto && own.method == DecomposeMethod::Hacd) {
+    run.note(name, own.guard == ReachUse::Reach && request.guard != ReachUse::Reach
+                       ? "the surface is open: hacd, guarded and merged by reach"
+                       : "hacd, as it alone has one of these options; --method cut holds solids");
+  }
+  DecomposeOutcome outcome = decompose_mesh(name, mesh, own);
+  if (const auto* reason = std::get_if<NotSolid>(&outcome)) return FlatMesh{name, *reason};
+  auto& result = std::get<Decomposition>(outcome);
+  if (result.caps > 0 && !options.files.proof.empty()) {
+    throw Error(ErrorCode::InvalidArgument,
+                "caps close the surface, and --proof is about the faces in the file: add --close "
+                "never");
+  }
+  run.log().add(result.stages);
+  return DecomposedObject{name, std::move(result), {}, std::move(own)};
+}
+
+namespace {
+
 int run_decompose(const DecomposeArguments& given) {
   DecomposeArguments options = given;
   const std::string folder_note = options.files.add_missing_folder();
@@ -163,6 +179,7 @@ int run_decompose(const DecomposeArguments& given) {
     throw Error(ErrorCode::InvalidArgument, "name an INPUT, or --stdio");
   }
   DecomposeRequest request = decompose_request(options);
+  if (is_robot(options.input)) return run_robot(options, request);
   options.files.require_sensible(options.input, request);
   if (options.weld && !options.files.proof.empty()) {
     throw Error(ErrorCode::InvalidArgument,
@@ -180,33 +197,12 @@ int run_decompose(const DecomposeArguments& given) {
   std::vector<DecomposedObject> objects;
   std::vector<std::string> object_names;
   for (SceneObject& object : scene) {
-    const std::string name = object.name;
     object_names.push_back(object.part);
-    auto made = mesh_of(std::move(object));
-    const auto* reason = std::get_if<NotSolid>(&made);
-    std::optional<DecomposeOutcome> outcome;
-    DecomposeRequest own = request;
-    if (reason == nullptr) {
-      const Mesh mesh =
-          welded(with_hulls_of_clouds(std::get<Mesh>(std::move(made))), name, options, run);
-      own = with_method(mesh, std::move(own));
-      if (request.method == DecomposeMethod::Auto && own.method == DecomposeMethod::Hacd) {
-        run.note(name,
-                 own.guard == ReachUse::Reach && request.guard != ReachUse::Reach
-                     ? "the surface is open: hacd, guarded and merged by reach"
-                     : "hacd, as it alone has one of these options; --method cut holds solids");
-      }
-      outcome = decompose_object(name, mesh, own);
-      reason = std::get_if<NotSolid>(&*outcome);
+    auto made = decompose_object(std::move(object), request, options, run);
+    if (const auto* flat = std::get_if<FlatMesh>(&made)) {
+      return run.end_flat(flat->name, flat->reason);
     }
-    if (reason != nullptr) return run.end_flat(name, *reason);
-    if (std::get<Decomposition>(*outcome).caps > 0 && !options.files.proof.empty()) {
-      throw Error(ErrorCode::InvalidArgument,
-                  "caps close the surface, and --proof is about the faces in the file: add --close "
-                  "never");
-    }
-    objects.push_back({name, std::get<Decomposition>(std::move(*outcome)), {}, std::move(own)});
-    run.log().add(objects.back().result.stages);
+    objects.push_back(std::get<DecomposedObject>(std::move(made)));
   }
   name_parts(objects, object_names, options.files.names);
   const FilesOfParts out = run.log().run("write", StageKind::Io, [&] {
@@ -221,6 +217,19 @@ int run_decompose(const DecomposeArguments& given) {
                       }});
 }
 
+void add_robot_options(Command& command, DecomposeArguments& options) {
+  command
+      .add_option(
+          "--package", options.packages,
+          "of a robot (.urdf): NAME=DIR, the folder that package://NAME/ stands for; may be "
+          "repeated")
+      ->expected(1)
+      ->allow_extra_args(false)
+      ->take_all();
+  command.add_flag("--keep-going", options.keep_going,
+                   "of a robot: a collision whose mesh cannot be decomposed stays as it is");
+}
+
 }  // namespace
 
 void add_decompose_command(Command& program, int& exit_code) {
@@ -228,9 +237,10 @@ void add_decompose_command(Command& program, int& exit_code) {
   Command& command = *program.add_subcommand(
       "decompose", "a mesh as few convex parts that hold it, none far from it");
   command.footer(kDecomposeFooter);
-  command.add_option("INPUT", options->input,
-                     "a mesh (OBJ, OFF, PLY, STL), or halfspaces (JSON, .ine, rows); - is standard "
-                     "input");
+  command.add_option(
+      "INPUT", options->input,
+      "a mesh (OBJ, OFF, PLY, STL, glTF, COLLADA), halfspaces (JSON, .ine, rows), or "
+      "a robot (.urdf) with -o FOLDER/; - is standard input");
   add_fields(command, bound_fields(decompose_fields(), options->request));
   options->precision = command.get_option("--precision");
   add_text(command, "--profile",
@@ -244,6 +254,7 @@ void add_decompose_command(Command& program, int& exit_code) {
            [&weld = options->weld](const auto&, const auto& text) { weld = parse_tolerance(text); })
       ->type_name("LENGTH");
   add_decompose_files(command, options->files);
+  add_robot_options(command, *options);
   add_measures_options(command, options->measures, "");
   add_scene_options(command, options->scene);
   add_stdio_options(command, options->stdio, "one decomposition");

@@ -4,6 +4,7 @@
 // of the Khronos Group, 1.4.1.
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <map>
 #include <pugixml.hpp>
 
@@ -493,6 +494,14 @@ bool is_collada(std::string_view bytes) {
   const std::string start = lower_case(bytes.substr(0, 4096));
   const std::size_t first = start.find_first_not_of(" \t\r\n\xEF\xBB\xBF");
   return first != start.npos && start[first] == '<' && start.find("<collada") != start.npos;
+}
+
+double collada_unit(std::string_view bytes) {
+  pugi::xml_document document;
+  if (!document.load_buffer(bytes.data(), bytes.size())) return 1;
+  const xml_node unit = document.child("COLLADA").child("asset").child("unit");
+  const double meters = unit.attribute("meter").as_double(1);
+  return meters > 0 && std::isfinite(meters) ? meters : 1;
 }
 
 Mesh read_collada(std::string_view bytes, const ReadOptions& options) {

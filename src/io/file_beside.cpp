@@ -49,25 +49,38 @@ std::string decoded_uri(std::string_view uri) {
   return decoded;
 }
 
-std::string file_beside(const std::string& folder, std::string_view uri) {
-  const std::string name = decoded_uri(uri);
-  const auto refuse = [&](const std::string& why) {
-    throw Error(ErrorCode::Unreadable, "it names the file " + in_quotes(name) + ", " + why);
+std::string file_inside(const std::string& folder, std::string_view name,
+                        const std::vector<std::string>& others) {
+  const auto refuse = [&](const char* why) {
+    throw Error(ErrorCode::Unreadable, "it names the file " + in_quotes(name) + why);
   };
-  if (folder.empty()) refuse("but was itself read without a folder: give its path");
-  if (name.empty() || name.find('\0') != name.npos) refuse("which is no name");
+  if (name.empty() || name.find('\0') != name.npos) refuse(", which is no name");
   const fs::path path(name);
+  constexpr const char* kOutside = ", but only files in its own folder are read";
   if (path.is_absolute() || name.find("://") != name.npos || name.find('\\') != name.npos) {
-    refuse("but only files in its own folder are read");
+    refuse(kOutside);
   }
   const fs::path file = fs::path(folder) / path;
   std::error_code failed;
-  const fs::path real = fs::weakly_canonical(file, failed);
-  const fs::path home = fs::weakly_canonical(fs::absolute(folder), failed);
-  if (failed || !is_inside(fs::absolute(real), home)) {
-    refuse("but only files in its own folder are read");
+  const fs::path real = fs::weakly_canonical(fs::absolute(file), failed);
+  const auto holds = [&](const std::string& home) {
+    std::error_code missing;
+    const fs::path canonical = fs::weakly_canonical(fs::absolute(home), missing);
+    return !missing && is_inside(real, canonical);
+  };
+  if (failed || !(holds(folder) || std::any_of(others.begin(), others.end(), holds))) {
+    refuse(kOutside);
   }
   return file.string();
+}
+
+std::string file_beside(const std::string& folder, std::string_view uri) {
+  const std::string name = decoded_uri(uri);
+  if (folder.empty()) {
+    throw Error(ErrorCode::Unreadable, "it names the file " + in_quotes(name) +
+                                           ", but was itself read without a folder: give its path");
+  }
+  return file_inside(folder, name, {});
 }
 
 }  // namespace convexact

@@ -74,7 +74,9 @@ void refuse_markup(std::string_view bytes) {
   if (first == start.npos || start[first] != '<') return;
   if (start.find("<robot") != start.npos) {
     refuse("a robot model (URDF)",
-           "name the meshes in it; verify --union reads those of convexact");
+           "convexact decompose NAME.urdf -o FOLDER/ takes whole robots; other commands take the "
+           "meshes "
+           "in it, and verify --union the models that convexact wrote");
   }
   if (start.find("<mujoco") != start.npos) {
     refuse("a MuJoCo model", "name the meshes in it; verify --union reads those of convexact");

@@ -28,6 +28,9 @@ bool is_off_of_qhull(std::string_view bytes);
 /// Whether bytes are XML with an element COLLADA soon.
 bool is_collada(std::string_view bytes);
 
+/// Meters for each unit, as a COLLADA file says; 1 if it does not, or is none.
+double collada_unit(std::string_view bytes);
+
 /// Whether an .ine or .ext says so.
 bool is_v_representation(std::string_view bytes);
 

@@ -126,17 +126,23 @@ TEST_CASE("part models: MJCF and URDF name every file of the folder, from where 
     CHECK(assets[0] == "asset");
     CHECK(geoms[0] == "body");
     REQUIRE(assets[2].size() == 2);
-    REQUIRE(geoms[2].size() == 2);
+    // First what the body weighs, then its shapes.
+    REQUIRE(geoms[2].size() == 3);
+    CHECK(geoms[2][0][0] == "inertial");
     const json link = (*robot)[2][0];
     CHECK(link[0] == "link");
-    REQUIRE(link[2].size() == 2);
+    REQUIRE(link[2].size() == 4);
+    CHECK(link[2][0][0] == "inertial");
+    CHECK(link[2][1][0] == "visual");
+    const std::string seen = link[2][1][2][0][2][0][1]["filename"];
+    CHECK(std::filesystem::equivalent(scratch.file(place + seen), input));
     for (std::size_t k = 0; k < 2; ++k) {
       const std::string name = "part_00" + std::to_string(k);
       const std::string file = assets[2][k][1]["file"];
       CHECK(assets[2][k][1]["name"] == name);
-      CHECK(geoms[2][k][1] == json{{"name", name}, {"type", "mesh"}, {"mesh", name}});
-      CHECK(link[2][k][1] == json{{"name", name}});
-      CHECK(link[2][k][2][0][2][0][1] == json{{"filename", file}});
+      CHECK(geoms[2][k + 1][1] == json{{"name", name}, {"type", "mesh"}, {"mesh", name}});
+      CHECK(link[2][k + 2][1] == json{{"name", name}});
+      CHECK(link[2][k + 2][2][0][2][0][1] == json{{"filename", file}});
       CHECK(file.front() != '/');
       CHECK(std::filesystem::equivalent(scratch.file(place + file),
                                         scratch.file("parts/" + name + ".obj")));
@@ -217,7 +223,7 @@ TEST_CASE("part models: what cannot be, is refused before anything is written") 
            {" --precision 64" + urdf + folder, 2, "--precision 32 rounds outward"},
            {" --precision 64" + usd, 2, "which cuts off points of the input"},
            {" --precision 32 --flat keep" + usd, 2, "--flat thicken"},
-           {" --precision 32 --flat keep" + folder + mjcf, 2, "not a solid for a simulator"},
+           {" --precision 32 --flat keep" + folder + mjcf, 2, "is no solid there"},
            {" --precision 32 -o " + scratch.file("l.xml"), 2, ".mjcf.xml, .urdf or .usda"},
            {" --precision 32 -o " + scratch.file("missing/l.usda"), 5, "missing"},
            {" --precision 32 --names '\xFF_%d'" + usd, 5, "UTF-8"},
@@ -275,13 +281,68 @@ TEST_CASE("part models: names that XML and USD cannot spell are escaped, and kep
   CHECK((*robot)[1]["name"] == "9");
   const json assets = (*model)[2][0][2], collisions = (*robot)[2][0][2];
   REQUIRE(assets.size() == 4);
-  REQUIRE(collisions.size() == 4);
+  REQUIRE(collisions.size() == 6);  // behind inertial and visual
   for (const json& asset : assets) {
     CHECK(std::filesystem::exists(scratch.file(asset[1]["file"].get<std::string>())));
   }
   CHECK(assets[0][1]["name"] == name + "_part_000");
   CHECK(assets[2][1]["name"] == other + "_part_000");
-  CHECK(collisions[3][1]["name"] == other + "_part_001");
+  CHECK(collisions[5][1]["name"] == other + "_part_001");
+}
+
+TEST_CASE("part models: a unit box in centimeters, y upward, with its name and density") {
+  const ScratchFolder scratch;
+  const std::string input =
+      scratch.write("box.obj",
+                    "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0\nv 0 0 1\nv 1 0 1\nv 0 1 1\nv 1 1 1\n"
+                    "f 1 3 4 2\nf 5 6 8 7\nf 1 2 6 5\nf 3 7 8 4\nf 1 5 7 3\nf 2 4 8 6\n");
+  const std::string urdf = scratch.file("m.urdf"), mjcf = scratch.file("m.mjcf.xml"),
+                    usd = scratch.file("m.usda");
+  const auto ran = run_program("decompose " + input + " -o " + urdf + " -o " + mjcf + " -o " + usd +
+                               " --up y --scale 0.01 --density 2000 --name 'my box' --json");
+  CAPTURE(ran.err);
+  REQUIRE(ran.exit == 0);
+  const json mass = json::parse(ran.out)["mass"];
+  CHECK(mass["volume"] == "1");
+  CHECK(mass["center"] == json{"1/2", "1/2", "1/2"});
+  CHECK(mass["inertia"] == json{"1/6", "1/6", "1/6", "0", "0", "0"});
+  CHECK(mass["density"] == "2000");
+  CHECK(mass["kilograms"] == 0.002);
+  // m a^2 / 6 with a = 0.01; (x, y, z) is (x, -z, y) with z upward.
+  const std::string text = bytes_of(urdf);
+  CHECK(text.find("<robot name=\"my box\">") != text.npos);
+  CHECK(text.find("<origin xyz=\"0.005 -0.005 0.005\" rpy=\"1.5707963267948966 0 0\"/>") !=
+        text.npos);
+  CHECK(text.find("<mass value=\"0.002\"/>") != text.npos);
+  CHECK(text.find("ixx=\"3.3333333333333334e-08\"") != text.npos);
+  CHECK(text.find("scale=\"0.01 0.01 0.01\"") != text.npos);
+  CHECK(bytes_of(mjcf).find("<inertial pos=\"0.005 0.005 0.005\" mass=\"0.002\"") != text.npos);
+  CHECK(bytes_of(usd).find("upAxis = \"Y\"") != text.npos);
+  CHECK(bytes_of(usd).find("metersPerUnit = 0.01") != text.npos);
+  CHECK(bytes_of(usd).find("centerOfMass = (0.5, 0.5, 0.5)") != text.npos);
+  for (const char* wrong : {"--up x", "--scale 0", "--scale -1", "--density nan"}) {
+    CHECK(run_program("decompose " + input + " -o " + urdf + " " + wrong).exit == 2);
+  }
+  // In units of a micrometer, MuJoCo would refuse the mesh.
+  const auto small = run_program("decompose " + input + " -o " + mjcf + " --scale 1e-6");
+  CHECK(small.exit == 0);
+  CHECK(small.out.find("MuJoCo refuses such meshes") != small.out.npos);
+}
+
+TEST_CASE("part models: GLB holds the parts, in binary32, and is proven") {
+  const ScratchFolder scratch;
+  const std::string input = scratch.write("l.obj", tenth_obj(support::l_cells()));
+  const std::string glb = scratch.file("l.glb");
+  const auto ran = run_program("decompose " + input + " -o " + glb);
+  CAPTURE(ran.err);
+  REQUIRE(ran.exit == 0);
+  CHECK(convexact::read_mesh(glb).parts.size() == 2);
+  CHECK(run_program("verify --union " + input + " " + glb).exit == 0);
+  CHECK(run_program("decompose " + input + " --precision 64 -o " + glb).exit == 2);
+  const std::string hull = scratch.file("hull.glb");
+  REQUIRE(run_program("simplify " + input + " --faces 6 -o " + hull).exit == 0);
+  CHECK(run_program("verify " + input + " " + hull).exit == 0);
+  CHECK(run_program("simplify " + input + " --faces 6 --precision 64 -o " + hull).exit == 2);
 }
 
 TEST_CASE("part models: programs of others read them") {
@@ -321,9 +382,12 @@ TEST_CASE("verify: models that decompose wrote are read as parts, others are ref
     const json document = json::parse(judged.out);
     CHECK(document["parts"].size() == 2);
     CHECK(document["parts"][0]["name"] == "p<0>&");
-    // Whatever a model says besides may move its meshes.
-    const std::string altered =
-        scratch.write(std::string("b") + (name + 1), bytes_of(scratch.file(name)) + "\n");
+    // A model that scales its meshes, or says anything else of where they are.
+    std::string text = bytes_of(scratch.file(name)) + "\n";
+    if (const std::size_t mesh = text.rfind("<mesh "); mesh != text.npos) {
+      text.insert(mesh + 6, "scale=\"2 2 2\" ");
+    }
+    const std::string altered = scratch.write(std::string("b") + (name + 1), text);
     const auto refused = run_program("verify " + input + " " + altered);
     CHECK(refused.exit == 3);
     CHECK(refused.err.find("convexact did not write") != std::string::npos);

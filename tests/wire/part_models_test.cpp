@@ -31,7 +31,7 @@ struct TenthParts {
   std::vector<WrittenPart> written() const {
     return {{"a", &made.parts[0], &made.surface}, {"b", &made.parts[1], &made.surface}};
   }
-  std::string usd() const { return proven_parts_usd("tenths", written(), "x.usda"); }
+  std::string usd() const { return proven_parts_usd({.name = "tenths"}, written(), "x.usda"); }
 };
 
 template <class Action>
@@ -86,7 +86,7 @@ TEST_CASE("part models: a name is displayed where it is no identifier") {
   std::vector<WrittenPart> written = parts.written();
   // As a reader of lines might take it for points.
   written[1].name = "\"]\" point3f[] points = [(0, 0, 0)]";
-  const std::string text = proven_parts_usd("m", written, "x.usda");
+  const std::string text = proven_parts_usd({.name = "m"}, written, "x.usda");
   CHECK(text.find("displayName = \"\\\"]\\\" point3f[] points = [(0, 0, 0)]\"\n") != text.npos);
   CHECK(text.find("def Mesh \"a\"") != text.npos);
   CHECK(text.find("displayName = \"a\"") == text.npos);
@@ -95,15 +95,19 @@ TEST_CASE("part models: a name is displayed where it is no identifier") {
 TEST_CASE("part models: XML escapes what it must, and bytes that no reader takes are refused") {
   const std::vector<PartFile> files = {{"<&>\"'", "p&/<&>\"'.obj"}};
   const std::string name = "\"&lt;&amp;&gt;&quot;'\"", path = "\"p&amp;/&lt;&amp;&gt;&quot;'.obj\"";
-  const std::string mjcf = write_mjcf("m", files), urdf = write_urdf("m", files);
+  const std::string mjcf = write_mjcf({.name = "m"}, files),
+                    urdf = write_urdf({.name = "m"}, files);
   CHECK(mjcf.find("<mesh name=" + name + " file=" + path + "/>") != mjcf.npos);
   CHECK(mjcf.find("<geom name=" + name + " type=\"mesh\" mesh=" + name + "/>") != mjcf.npos);
   CHECK(urdf.find("<collision name=" + name + ">") != urdf.npos);
   CHECK(urdf.find("<mesh filename=" + path + "/>") != urdf.npos);
   for (const char* text : {"a\nb", "a\tb", "\x01", "\x7F", "\xFF", "\xC3", "\xEF\xBF\xBE"}) {
     const std::vector<PartFile> bad = {{text, "x.obj"}}, bad_path = {{"x", text}};
-    CHECK(error_of([&] { return write_mjcf("m", bad); }).code() == ErrorCode::Unrepresentable);
-    CHECK(error_of([&] { return write_mjcf("m", bad_path); }).code() == ErrorCode::Unrepresentable);
-    CHECK(error_of([&] { return write_urdf(text, files); }).code() == ErrorCode::Unrepresentable);
+    CHECK(error_of([&] { return write_mjcf({.name = "m"}, bad); }).code() ==
+          ErrorCode::Unrepresentable);
+    CHECK(error_of([&] { return write_mjcf({.name = "m"}, bad_path); }).code() ==
+          ErrorCode::Unrepresentable);
+    CHECK(error_of([&] { return write_urdf({.name = text}, files); }).code() ==
+          ErrorCode::Unrepresentable);
   }
 }
