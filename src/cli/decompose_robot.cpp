@@ -164,8 +164,10 @@ class RobotRun {
           .in_file(flat->name);
     }
     std::vector<DecomposedObject> objects{std::get<DecomposedObject>(std::move(made))};
-    name_parts(objects, {stem}, options_.files.names);
     mesh.folder = folder_for(is_plain_name(stem) ? stem : "mesh");
+    name_parts(objects, {stem}, options_.files.names);
+    // MuJoCo tells the meshes of a URDF apart by their names without folders.
+    for (std::string& name : objects[0].part_names) name = mesh.folder + "_" + name;
     DecomposeFiles files;
     files.results = {(fs::path(folder_) / mesh.folder).string() + "/"};
     files.names = options_.files.names;
@@ -255,7 +257,7 @@ class RobotRun {
     text += summary_line(
         "result", all == 0
                       ? "no collision names a mesh: nothing to decompose"
-                      : fmt::format("{} of {} are now {}", with_separators(replaced),
+                      : fmt::format("{} of {} replaced by {}", with_separators(replaced),
                                     counted(all, "collision with a mesh", "collisions with meshes"),
                                     counted(parts, "part", "parts")));
     return text + lines + summary_line("written", path);

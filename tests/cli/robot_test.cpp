@@ -54,7 +54,7 @@ TEST_CASE("robot: all or nothing, or the collision that fails stays") {
   CAPTURE(kept.err);
   REQUIRE(kept.exit == 0);
   CHECK(kept.err.find("the collision stays as it was") != kept.err.npos);
-  CHECK(kept.out.find("2 of 3 collisions with meshes are now 4 parts") != kept.out.npos);
+  CHECK(kept.out.find("2 of 3 collisions with meshes replaced by 4 parts") != kept.out.npos);
   CHECK(kept.out.find("arm: arm.obj, 2 parts") != kept.out.npos);
   std::string expected = kTwoLinks;
   const auto replace = [&](const std::string& before, const std::string& after) {
@@ -63,7 +63,8 @@ TEST_CASE("robot: all or nothing, or the collision that fails stays") {
     expected.replace(at, before.size(), after);
   };
   const auto placed = [](const std::string& part) {
-    return "    <collision>\n      <origin xyz=\"1 2 3\"/>\n      <geometry><mesh filename=\"arm/" +
+    return "    <collision>\n      <origin xyz=\"1 2 3\"/>\n      <geometry><mesh "
+           "filename=\"arm/arm_" +
            part + ".obj\" scale=\"1 -1 1\"/></geometry>\n    </collision>\n";
   };
   replace(
@@ -71,7 +72,7 @@ TEST_CASE("robot: all or nothing, or the collision that fails stays") {
       "filename=\"package://r/arm.obj\" scale=\"1 -1 1\"/></geometry>\n    </collision>\n",
       placed("part_000") + placed("part_001"));
   const auto plain = [](const std::string& part) {
-    return "    <collision><geometry><mesh filename=\"arm/" + part +
+    return "    <collision><geometry><mesh filename=\"arm/arm_" + part +
            ".obj\"/></geometry></collision>\n";
   };
   replace(
