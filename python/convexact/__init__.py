@@ -1,0 +1,302 @@
+# SPDX-License-Identifier: MIT
+"""Encloses 3D shapes in few halfspaces, or few convex parts, and proves that it does.
+
+Every verdict is exact. Points go in as arrays (n, 3), as a path, as (vertices, faces), or as an object of trimesh, Open3D
+or scipy; int, Fraction and Decimal are taken exactly. The exact numbers come out beside doubles.
+
+>>> import convexact as cx
+>>> cube = [[x, y, z] for x in (0, 1) for y in (0, 1) for z in (0, 1)]
+>>> cx.hull(cube).volume
+Fraction(1, 1)
+>>> cx.verify(cube, cube[:7], asks="hull").ok
+False
+"""
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from typing import Any, Callable, Sequence
+
+import numpy as np
+
+from . import _core, _inputs
+from ._core import ConvexactError, Interrupted, InvalidArgument, MalformedInput, NotSolid, Unreadable, Unrepresentable
+from ._results import Claim, Decomposition, Hull, Inner, Part, Simplified, Verdict, Violated
+
+__all__ = [
+    "Claim", "Conformance", "ConvexactError", "Decomposition", "Failure", "Hull", "Inner", "Interrupted", "InvalidArgument",
+    "MalformedInput", "NotSolid", "Part", "Simplified", "Unreadable", "Unrepresentable", "Verdict", "Violated", "conform",
+    "decompose", "families", "generate", "hull", "inner", "read_mesh", "shrink", "simplify", "verify", "verify_parts",
+]
+
+
+def _shape(points: Any, planes: Any) -> tuple[Any, Any]:
+    if (points is None) == (planes is None):
+        raise InvalidArgument("expected points, or planes=, and not both")
+    if planes is not None:
+        return None, _inputs.rows(planes, 4, "planes")
+    return _inputs.mesh(points, "points")[0], None
+
+
+def hull(
+    points: Any = None, *, planes: Any = None, measures: Sequence[str] = ("volume", "area", "mean_width"), digits: int = 10,
+    progress: Any = None,
+) -> Hull:
+    """The exact convex hull of points, or the solid that halfspaces bound.
+
+    Parameters
+    ----------
+    points : array (n, 3), path, (vertices, faces), or object with vertices
+    planes : array (m, 4), optional
+        Halfspaces n1 x + n2 y + n3 z + d <= 0, instead of points.
+    measures : names out of volume, area, mean_width
+    digits : certain digits of area and mean width
+    progress : True, or a callable of stage, done and total
+
+    Raises
+    ------
+    NotSolid
+        If the input encloses no volume; the message has the proof.
+
+    >>> import convexact as cx
+    >>> cx.hull([[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]]).volume
+    Fraction(1, 6)
+    """
+    unknown = set(measures) - {"volume", "area", "mean_width"}
+    if unknown:
+        raise InvalidArgument(f"measures: expected volume, area and mean_width, found {sorted(unknown)}")
+    rows, halfspaces = _shape(points, planes)
+    return Hull(_core.hull(rows, halfspaces, "volume" in measures, "area" in measures, "mean_width" in measures, False, digits,
+                           _inputs.progress(progress)))
+
+
+def simplify(
+    points: Any = None, faces: int | None = None, *, planes: Any = None, max_growth: Any = None, cost: str | None = None,
+    engine: str | None = None, search: str | None = None, verify: str | None = None, seed: int | None = None,  # pylint: disable=redefined-outer-name
+    precision: int | None = None, trace: bool = False, record: bool = False, progress: Any = None,
+) -> Simplified:
+    """Few halfspaces that hold every point: the facets of the hull, less the ones whose removal adds least.
+
+    Parameters
+    ----------
+    points : as hull()
+    faces : how many halfspaces to keep, at least 4
+    max_growth : a share, such as 0.05, that the measure may grow by; instead of `faces`, or besides
+    cost : 'volume', 'area' or 'mean-width', which is kept small
+    engine : 'exact', 'filtered' (the default) or 'float'
+    search : 'walk' or 'local', which improves the result
+    precision : 64 or 32, in which `mesh` is stored; for float32 input 32
+    trace, record : keep what trace() and proof() need
+
+    Raises
+    ------
+    NotSolid, InvalidArgument, Unrepresentable
+
+    >>> import convexact as cx
+    >>> small = cx.simplify(cx.generate("random-ball"), faces=12)
+    >>> len(small.exact_planes)
+    12
+    """
+    if precision is None and getattr(points, "dtype", None) == np.float32:
+        precision = 32
+    if precision not in (None, 32, 64):
+        raise InvalidArgument(f"precision: expected 32 or 64, found {precision!r}")
+    rows, halfspaces = _shape(points, planes)
+    given = {"faces": faces, "max_growth": max_growth, "cost": cost, "engine": engine, "search": search, "verify": verify,
+             "seed": seed, "precision": precision, "trace": trace or None, "record": record or None}
+    return Simplified(_core.simplify(rows, halfspaces, _inputs.options(given), _inputs.progress(progress)))
+
+
+def inner(points: Any, vertices: int | None = None, *, max_loss: Any = None, progress: Any = None) -> Inner:
+    """A solid inside the hull: few of its vertices, removed one by one where the least volume is lost."""
+    rows, _ = _inputs.mesh(points, "points")
+    loss = None if max_loss is None else _inputs.text(max_loss)
+    return Inner(_core.inner(rows, vertices, loss, _inputs.progress(progress)))
+
+
+def verify(
+    points: Any, candidate: Any, *, asks: str | None = None, tolerance: Any = None, claims: Sequence[str] | None = None,
+    max_facets: int | None = None, max_vertices: int | None = None, progress: Any = None,
+) -> Verdict:
+    """Is a candidate a convex solid that holds every point? Decided exactly.
+
+    Parameters
+    ----------
+    points : as hull(); float32 is taken as the numbers that it is
+    candidate : array (m, 4) of halfspaces, array (n, 3) of points that stand for their hull, (vertices, faces), an object
+        with these, a path, or a result of this package (by its exact planes)
+    asks : 'enclosure' (the default), 'hull' or 'inner'
+    tolerance : a length, or a share of the diameter such as '1e-9d'
+    claims : names, if only these are to be decided
+
+    Returns
+    -------
+    Verdict
+        With `ok`, the claims by name, their sentences and witnesses. A fault of the candidate is a violated claim.
+
+    Raises
+    ------
+    NotSolid
+        If the points themselves lie in one plane.
+    """
+    rows, faces = _inputs.mesh(points, "points")
+    given = _inputs.options({"asks": asks, "tolerance": tolerance, "max_facets": max_facets, "max_vertices": max_vertices})
+    bar = _inputs.progress(progress)
+    if isinstance(candidate, (Hull, Simplified)):
+        candidate = np.array(candidate.exact_planes, dtype=object)
+    if not _inputs._is_pair(candidate) and np.ndim(candidate) == 2 and np.shape(candidate)[1] == 4:  # pylint: disable=protected-access
+        planes = _inputs.rows(candidate, 4, "candidate")
+        return Verdict(_core.verify_planes(rows, faces, planes, given, _inputs.names(claims), bar))
+    vertices, corners = _inputs.mesh(candidate, "candidate")
+    return Verdict(_core.verify_mesh(rows, faces, vertices, corners, given, _inputs.names(claims), bar))
+
+
+def decompose(
+    mesh: Any, distance: Any = None, *, concavity: Any = None, method: str | None = None, max_parts: int | None = None,
+    faces: int | None = None, measures: str = "none", progress: Any = None, **options: Any,
+) -> Decomposition:
+    """Convex parts that hold a mesh.
+
+    A solid is cut by planes: the parts hold it, and no point of them is farther from it than `distance`. Open surfaces, and
+    calls that name a concavity, are taken apart by clustering triangles.
+
+    Parameters
+    ----------
+    mesh : (vertices, faces), a path, or an object of trimesh or Open3D
+    distance, concavity : a length, or a share of the diameter such as '3%'
+    method : 'cut', 'hacd' or 'acd'
+    max_parts, faces : budgets of the parts, and of the faces of each
+    measures : 'none', 'uncovered' or 'all', for `document`
+    options : any other option of `convexact decompose`, such as disjoint=True or effort='high'
+
+    >>> import convexact as cx
+    >>> cube = [[x, y, z] for x in (0, 1) for y in (0, 1) for z in (0, 1)]
+    >>> quads = [[0, 1, 3, 2], [4, 6, 7, 5], [0, 4, 5, 1], [2, 3, 7, 6], [0, 2, 6, 4], [1, 5, 7, 3]]
+    >>> cx.decompose((cube, quads))
+    <convexact.Decomposition: 1 parts by cut hold the solid>
+    """
+    if measures not in ("none", "uncovered", "all"):
+        raise InvalidArgument(f"measures: expected none, uncovered or all, found {measures!r}")
+    points, polygons = _inputs.mesh(mesh, "mesh")
+    given = _inputs.options({"distance": distance, "concavity": concavity, "method": method, "max_parts": max_parts,
+                             "faces": faces, **options})
+    return Decomposition(_core.decompose(points, polygons, given, measures, _inputs.progress(progress)))
+
+
+def verify_parts(
+    mesh: Any, parts: Any, *, distance: Any = None, tolerance: Any = None, claims: Sequence[str] | None = None,
+    max_parts: int | None = None, progress: Any = None, **options: Any,
+) -> Verdict:
+    """Do convex parts of any program hold a mesh? Decided exactly.
+
+    Parameters
+    ----------
+    mesh : as decompose()
+    parts : a Decomposition, or a list of (vertices, faces), of arrays of vertices, or of objects with these
+    distance : how far a point of a part may be from the solid; asks for that as well
+    """
+    points, polygons = _inputs.mesh(mesh, "mesh")
+    given = _inputs.options({"distance": distance, "tolerance": tolerance, "max_parts": max_parts, **options})
+    listed = [_inputs.mesh(part, f"parts[{k}]") for k, part in enumerate(parts)]
+    return Verdict(_core.verify_parts(points, polygons, listed, given, _inputs.names(claims), _inputs.progress(progress)))
+
+
+def read_mesh(path: Any, *, exact: bool = False) -> tuple[Any, list[list[int]]]:
+    """Points and faces of a file (OBJ, OFF, PLY, STL, glTF, COLLADA, point clouds).
+
+    With exact=True decimals are the fractions that they spell: an array of Fraction where these are no doubles.
+    """
+    points, polygons = _inputs.mesh(path, "path", exact)
+    if isinstance(points, list):
+        from fractions import Fraction  # pylint: disable=import-outside-toplevel
+
+        points = np.array([[Fraction(x) for x in row] for row in points], dtype=object)
+    return points, polygons
+
+
+def families() -> list[str]:
+    """Names of the families of points that generate() makes."""
+    return list(_core.families())
+
+
+def generate(family: str, seed: int = 1) -> Any:
+    """Points of a family of hard inputs, float64 (n, 3): the same for the same seed, on every machine."""
+    return _core.generate(family, seed)
+
+
+@dataclass(frozen=True)
+class Failure:
+    """An input on which a function fails."""
+
+    family: str
+    seed: int
+    points: Any
+    verdict: Verdict | None  # None if the function raised
+    error: BaseException | None = None
+
+    def __str__(self) -> str:
+        said = repr(self.error) if self.verdict is None else repr(self.verdict)
+        return f"generate({self.family!r}, seed={self.seed}), {len(self.points)} points: {said}"
+
+
+@dataclass(frozen=True)
+class Conformance:
+    """How a function did over the families."""
+
+    passed: int
+    failures: list[Failure] = field(default_factory=list)
+
+    @property
+    def ok(self) -> bool:
+        return not self.failures
+
+    def __repr__(self) -> str:
+        return f"<convexact.Conformance: {self.passed} passed, {len(self.failures)} failed>"
+
+
+def conform(
+    function: Callable[[Any], Any], *, asks: str = "hull", tolerance: Any = None, seeds: int = 1, only: Sequence[str] | None = None,
+) -> Conformance:
+    """Runs a function of points over families of hard inputs and judges what it returns, as verify() does.
+
+    Parameters
+    ----------
+    function : takes an array (n, 3); returns a candidate of verify()
+    asks, tolerance : as verify()
+    seeds : how many inputs of each family
+    only : names of families; without, all whose points span a volume
+    """
+    passed, failures = 0, []
+    for family in only or families():
+        for seed in range(1, seeds + 1):
+            points = generate(family, seed)
+            try:
+                hull(points, measures=())
+            except NotSolid:
+                continue
+            try:
+                candidate = function(points)
+            except Exception as error:  # pylint: disable=broad-exception-caught
+                failures.append(Failure(family, seed, points, None, error))
+                continue
+            verdict = verify(points, candidate, asks=asks, tolerance=tolerance)
+            if verdict.ok:
+                passed += 1
+            else:
+                failures.append(Failure(family, seed, points, verdict))
+    return Conformance(passed, failures)
+
+
+def shrink(points: Any, fails: Callable[[Any], bool]) -> Any:
+    """Fewer points, with shorter numbers, on which a predicate still holds: a minimal counterexample.
+
+    Parameters
+    ----------
+    points : array (n, 3) of doubles
+    fails : takes such an array; True if the program under test still fails on it
+    """
+    rows, _ = _inputs.mesh(points, "points")
+    if isinstance(rows, list):
+        raise InvalidArgument("points: expected doubles")
+    if not fails(rows):
+        raise InvalidArgument("fails: the program does not fail on the points themselves")
+    return _core.shrink(rows, fails)

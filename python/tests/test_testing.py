@@ -1,0 +1,70 @@
+# SPDX-License-Identifier: MIT
+"""Assertions, the plugin, and that every example of the documents runs."""
+import doctest
+import os
+import re
+import subprocess
+import sys
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+import convexact as cx
+from convexact import testing
+
+CUBE = [[x, y, z] for x in (0, 1) for y in (0, 1) for z in (0, 1)]
+QUADS = [[0, 1, 3, 2], [4, 6, 7, 5], [0, 4, 5, 1], [2, 3, 7, 6], [0, 2, 6, 4], [1, 5, 7, 3]]
+ROOT = Path(__file__).resolve().parents[2]
+
+
+def test_assertions_say_claim_witness_and_input():
+    testing.assert_is_hull(CUBE, CUBE)
+    testing.assert_encloses(CUBE, np.array(CUBE) * 3 - 1)
+    testing.assert_covers((CUBE, QUADS), [(CUBE, QUADS)])
+    with pytest.raises(AssertionError, match=r"(?s)contains-input: 1 point outside.*points = \[\[0.0, 0.0, 0.0\]"):
+        testing.assert_encloses(CUBE, CUBE[:7])
+    with pytest.raises(AssertionError, match="is-hull"):
+        testing.assert_is_hull(CUBE, np.array(CUBE) * 3 - 1)
+    with pytest.raises(AssertionError, match="covers-surface"):
+        testing.assert_covers((CUBE, QUADS), [CUBE[:4] + [[0.5, 0.5, 0.5]]])
+
+
+def test_the_plugin_keeps_what_fails(tmp_path):
+    test = tmp_path / "test_mine.py"
+    test.write_text(
+        f"CUBE = {CUBE}\n"
+        "def test_loses_a_corner(oracle):\n    oracle.assert_is_hull(CUBE, CUBE[:7])\n"
+        "def test_is_right(oracle):\n    oracle.assert_is_hull(CUBE, CUBE)\n",
+        encoding="utf-8",
+    )
+    kept = tmp_path / "kept"
+    ran = subprocess.run(
+        [sys.executable, "-m", "pytest", "-q", "-p", "no:cacheprovider", "-p", "convexact.pytest_plugin", test, "--convexact-keep", kept],
+        capture_output=True, text=True, check=False, env=os.environ,
+    )
+    assert "1 failed, 1 passed" in ran.stdout
+    assert "convexact verify" in ran.stdout and "--asks hull" in ran.stdout
+    assert cx.hull(kept / "test_loses_a_corner-1.obj").volume == 1
+    assert not cx.verify(kept / "test_loses_a_corner-1.obj", kept / "test_loses_a_corner-1-candidate.obj", asks="hull").ok
+
+
+def test_examples_in_docstrings():
+    results = doctest.testmod(cx)
+    assert results.attempted > 5 and results.failed == 0
+
+
+def blocks(page):
+    return re.findall(r"```python\n(.*?)```", (ROOT / page).read_text(encoding="utf-8"), re.DOTALL)
+
+
+@pytest.mark.parametrize("number", range(len(blocks("docs/python.md"))))
+def test_blocks_of_the_manual(number, tmp_path, monkeypatch):
+    block = blocks("docs/python.md")[number]
+    wanted = re.findall(r"^(?:import|from) (trimesh|coacd|mujoco)\b", block, re.MULTILINE)
+    for module in wanted:
+        pytest.importorskip(module)
+    (tmp_path / "spot.obj").symlink_to(Path(os.environ["CONVEXACT_TEST_DATA"]) / "spot.obj")
+    (tmp_path / "bin.obj").symlink_to(Path(os.environ["CONVEXACT_TEST_DATA"]) / "cases" / "bin.obj")
+    monkeypatch.chdir(tmp_path)
+    exec(compile(block, f"docs/python.md, block {number}", "exec"), {"__name__": "block"})  # pylint: disable=exec-used
