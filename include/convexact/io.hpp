@@ -63,9 +63,9 @@ enum class MeshFormat {
   Off,
   Ply,
   Stl,
-  Xyz,  ///< Points only: x y z per line, with blanks, commas or semicolons between; .pts, .csv.
-  Pcd,  ///< Points only, of the Point Cloud Library; as text or binary.
-  Ext,  ///< The V-representation of cdd and lrs: points.
+  Xyz,      ///< Points only: x y z per line, with blanks, commas or semicolons between; .pts, .csv.
+  Pcd,      ///< Points only, of the Point Cloud Library; as text or binary.
+  Ext,      ///< The V-representation of cdd and lrs: points.
   Gltf,     ///< glTF 2.0: .glb, which is also written, and .gltf. Each node with a mesh is a part.
   Collada,  ///< .dae; each instance of a geometry is a part.
 };

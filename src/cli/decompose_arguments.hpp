@@ -13,6 +13,7 @@
 #include "cli/stdio_loop.hpp"
 #include "convexact/decompose.hpp"
 #include "convexact/verify.hpp"
+#include "wire/decompose_options.hpp"
 #include "wire/robot_model.hpp"
 
 namespace convexact::cli {

@@ -116,9 +116,10 @@ MeshFormat format_of(const GenerateArguments& options) {
   if (options.output.empty()) return MeshFormat::Obj;
   const std::optional<MeshFormat> format = mesh_format_of_path(options.output);
   if (!format) {
-    throw Error(ErrorCode::InvalidArgument,
-                "-o: expected a file with the extension .obj, .off, .ply, .stl, .glb or .xyz, found '" +
-                    options.output + "'");
+    throw Error(
+        ErrorCode::InvalidArgument,
+        "-o: expected a file with the extension .obj, .off, .ply, .stl, .glb or .xyz, found '" +
+            options.output + "'");
   }
   return *format;
 }
