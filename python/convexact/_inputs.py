@@ -118,7 +118,7 @@ def progress(wanted: Any) -> Any:
             raise _core.InvalidArgument("progress: expected True, or a callable of stage, done and total")
         return wanted
     try:
-        from tqdm.auto import tqdm  # pylint: disable=import-outside-toplevel
+        from tqdm.auto import tqdm  # type: ignore[import-not-found, import-untyped, unused-ignore]  # pylint: disable=import-outside-toplevel
     except ImportError:
         return None
     bars: dict[str, Any] = {}

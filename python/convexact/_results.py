@@ -79,7 +79,7 @@ class _Solid(_Result):
 
     def to_trimesh(self) -> Any:
         """A trimesh.Trimesh of fans over the facets."""
-        import trimesh  # pylint: disable=import-outside-toplevel
+        import trimesh  # type: ignore[import-not-found, import-untyped, unused-ignore]  # pylint: disable=import-outside-toplevel
 
         triangles = [(face[0], face[k - 1], face[k]) for face in self.faces for k in range(2, len(face))]
         return trimesh.Trimesh(self.vertices, triangles, process=False)

@@ -5,6 +5,7 @@ import os
 import re
 import subprocess
 import sys
+from importlib.metadata import entry_points
 from pathlib import Path
 
 import numpy as np
@@ -30,6 +31,18 @@ def test_assertions_say_claim_witness_and_input():
         testing.assert_covers((CUBE, QUADS), [CUBE[:4] + [[0.5, 0.5, 0.5]]])
 
 
+def run_pytest(*arguments):
+    installed = any(point.value == "convexact.pytest_plugin" for point in entry_points(group="pytest11"))
+    plugin = [] if installed else ["-p", "convexact.pytest_plugin"]
+    command = [sys.executable, "-m", "pytest", "-q", "-p", "no:cacheprovider", *plugin, *arguments]
+    return subprocess.run(command, capture_output=True, text=True, check=False, env=os.environ)
+
+
+def test_the_example_for_pytest_runs(tmp_path):
+    ran = run_pytest(ROOT / "python" / "examples" / "verify_in_pytest.py", f"--rootdir={tmp_path}")
+    assert "2 passed" in ran.stdout, ran.stdout
+
+
 def test_the_plugin_keeps_what_fails(tmp_path):
     test = tmp_path / "test_mine.py"
     test.write_text(
@@ -39,10 +52,7 @@ def test_the_plugin_keeps_what_fails(tmp_path):
         encoding="utf-8",
     )
     kept = tmp_path / "kept"
-    ran = subprocess.run(
-        [sys.executable, "-m", "pytest", "-q", "-p", "no:cacheprovider", "-p", "convexact.pytest_plugin", test, "--convexact-keep", kept],
-        capture_output=True, text=True, check=False, env=os.environ,
-    )
+    ran = run_pytest(test, "--convexact-keep", kept)
     assert "1 failed, 1 passed" in ran.stdout
     assert "convexact verify" in ran.stdout and "--asks hull" in ran.stdout
     assert cx.hull(kept / "test_loses_a_corner-1.obj").volume == 1

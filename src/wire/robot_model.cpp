@@ -213,7 +213,8 @@ std::string robot_mesh_path(const std::string& urdf, std::string_view spelled,
   };
   if (own.empty()) refuse_name(", but was itself read without a folder: give its path");
   if (spelled.starts_with(kScheme)) {
-    const std::string_view rest = spelled.substr(kScheme.size());
+    std::string_view rest = spelled.substr(kScheme.size());
+    while (rest.starts_with('/')) rest.remove_prefix(1);  // package:///NAME, as some write
     const std::string name(rest.substr(0, rest.find('/')));
     const auto known = std::find_if(packages.begin(), packages.end(),
                                     [&](const RobotPackage& p) { return p.name == name; });

@@ -114,6 +114,8 @@ TEST_CASE("robot: meshes lie beside the model or in a package, links followed") 
         folder / "my_robot" / "urdf" / "near" / "a.stl");
   CHECK(fs::weakly_canonical(robot_mesh_path(urdf, "package://my_robot/meshes/a.stl", none)) ==
         fs::weakly_canonical(folder / "my_robot" / "meshes" / "a.stl"));
+  CHECK(robot_mesh_path(urdf, "package:///my_robot/meshes/a.stl", none) ==
+        robot_mesh_path(urdf, "package://my_robot/meshes/a.stl", none));
   CHECK(fs::path(robot_mesh_path(urdf, "package://other/a.stl", other)) ==
         folder / "other" / "a.stl");
   CHECK(fs::weakly_canonical(robot_mesh_path(urdf, "../../other/a.stl", other)) ==
