@@ -47,8 +47,7 @@ std::vector<RobotPackage> packages_of(const DecomposeArguments& options) {
 std::string require_sensible(const DecomposeArguments& options) {
   const DecomposeFiles& files = options.files;
   const auto& results = files.results;
-  const bool is_folder = results.size() == 1 && parts_output_of(results[0]) == PartsOutput::Folder;
-  if (!is_folder || files.all_paths().size() != 1) {
+  if (results.size() != 1 || !is_folder(results[0]) || files.all_paths().size() != 1) {
     throw Error(ErrorCode::InvalidArgument,
                 "a robot is written to one folder, with the meshes of its parts: -o FOLDER/, and "
                 "no other output");

@@ -7,20 +7,12 @@
 #include <string>
 #include <vector>
 
+#include "cli/model_files.hpp"
 #include "cli/outputs.hpp"
 #include "convexact/decompose.hpp"
 #include "wire/decompose_report.hpp"
-#include "wire/model_body.hpp"
 
 namespace convexact::cli {
-
-/// What models for simulators say beside the shapes; no number of a shape depends on it.
-struct ModelOptions {
-  std::string name;  ///< Of the body; empty: that of the file.
-  UpAxis up = UpAxis::Z;
-  Rational scale = 1;       ///< Meters for each unit of the file.
-  Rational density = 1000;  ///< In kilograms for each cubic meter.
-};
 
 /// Paths, each empty for none. A new kind joins all_paths(), decomposed_files() and the options.
 struct DecomposeFiles {

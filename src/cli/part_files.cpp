@@ -181,6 +181,8 @@ PartsOutput parts_output_of(const std::string& path) {
           "or .usda, or a folder (a name that ends in /)");
 }
 
+bool is_folder(const std::string& path) { return parts_output_of(path) == PartsOutput::Folder; }
+
 std::string part_file_name(const std::string& part) { return part + ".obj"; }
 
 LeftInFolder left_in_folder(const std::string& folder, const std::set<std::string>& written,

@@ -45,10 +45,13 @@ enum class PartsOutput {
 
 inline constexpr std::string_view kMjcfExtension = ".mjcf.xml";
 
-/// By the extension .obj, .glb, .json, .mjcf.xml, .urdf or .usda; a name that ends in /, or that of a
-/// folder, means a folder.
+/// By the extension .obj, .glb, .json, .mjcf.xml, .urdf or .usda; a name that ends in /, or that of
+/// a folder, means a folder.
 /// @throws Error InvalidArgument for any other name.
 [[nodiscard]] PartsOutput parts_output_of(const std::string& path);
+
+/// Whether the name of an output means a folder. @throws Error as parts_output_of().
+[[nodiscard]] bool is_folder(const std::string& path);
 
 /// Of the file that holds a part, in a folder.
 [[nodiscard]] std::string part_file_name(const std::string& part);

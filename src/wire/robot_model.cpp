@@ -120,7 +120,7 @@ std::string of_part(const std::string& bytes, const RobotCollision& collision, c
                   std::move(changes));
 }
 
-[[noreturn]] void refuse(const std::string& why, std::optional<std::size_t> line = {}) {
+[[noreturn]] void refuse_robot(const std::string& why, std::optional<std::size_t> line = {}) {
   throw Error(ErrorCode::Unreadable, why, line);
 }
 
@@ -151,11 +151,13 @@ RobotModel::RobotModel(std::string bytes) : bytes_(std::move(bytes)) {
                 line_at(bytes_, skipped + static_cast<std::size_t>(parsed.offset)));
   }
   for (const xml_node& child : document.children()) {
-    if (child.type() == pugi::node_doctype) refuse("document types, and entities, are not read");
+    if (child.type() == pugi::node_doctype)
+      refuse_robot("document types, and entities, are not read");
   }
   const xml_node robot = document.child("robot");
-  if (!robot) refuse("this is no robot model: expected an element robot");
-  if (has_xacro(robot)) refuse("this is a xacro: run xacro first, and name the URDF that it makes");
+  if (!robot) refuse_robot("this is no robot model: expected an element robot");
+  if (has_xacro(robot))
+    refuse_robot("this is a xacro: run xacro first, and name the URDF that it makes");
   name_ = robot.attribute("name").value();
   const auto place = [&](const xml_node& node) {
     return skipped + static_cast<std::size_t>(node.offset_debug()) - 1;  // at <
@@ -209,7 +211,7 @@ std::string robot_mesh_path(const std::string& urdf, std::string_view spelled,
   constexpr std::string_view kScheme = "package://";
   const std::string own = folder_of_file(urdf);
   const auto refuse_name = [&](const std::string& why) {
-    refuse("it names the file " + in_quotes(spelled) + why);
+    refuse_robot("it names the file " + in_quotes(spelled) + why);
   };
   if (own.empty()) refuse_name(", but was itself read without a folder: give its path");
   if (spelled.starts_with(kScheme)) {
