@@ -68,17 +68,17 @@ TEST_CASE(
     "collada: rotations by right angles are exact, transforms apply from the last to the first") {
   const Mesh mesh =
       collada(file(node("<translate>5 6 7</translate><rotate>0 0 1 90</rotate>"
-                     "<scale>2 3 4</scale>")));
+                        "<scale>2 3 4</scale>")));
   CHECK(mesh.parts[0].name == "n");
   CHECK(mesh.notes.empty());
-  CHECK(first_corners(mesh) == std::vector<RationalPoint>{{5, 6, 7}, {5, 8, 7}, {2, 6, 7}, {5, 6, 11}});
+  CHECK(first_corners(mesh) ==
+        std::vector<RationalPoint>{{5, 6, 7}, {5, 8, 7}, {2, 6, 7}, {5, 6, 11}});
   for (const auto& [degrees, x] : {std::pair{"180", RationalPoint(-1, 0, 0)},
                                    {"-180", RationalPoint(-1, 0, 0)},
                                    {"-90", RationalPoint(0, -1, 0)},
                                    {"270", RationalPoint(0, -1, 0)},
                                    {"450", RationalPoint(0, 1, 0)},
                                    {"3600", RationalPoint(1, 0, 0)}}) {
-    CAPTURE(degrees);
     const auto turned =
         first_corners(collada(file(node("<rotate>0 0 2 " + std::string(degrees) + "</rotate>"))));
     CHECK(turned[1] == x);
@@ -87,7 +87,8 @@ TEST_CASE(
 
 TEST_CASE("collada: other rotations are rotations, close to the angle") {
   // cos 30 = sqrt(3) / 2 and sin 30 = 1 / 2.
-  const auto turned = first_corners(collada(file(node("<rotate>0 0 1 30</rotate>")), Decimal::Exact));
+  const auto turned =
+      first_corners(collada(file(node("<rotate>0 0 1 30</rotate>")), Decimal::Exact));
   CHECK(turned[1].dot(turned[1]) == 1);
   CHECK(turned[1].dot(turned[2]) == 0);
   CHECK(abs(turned[1][1] - Rational(1, 2)) < Rational(1, 1'000'000'000'000'000));
@@ -95,7 +96,7 @@ TEST_CASE("collada: other rotations are rotations, close to the angle") {
 
 TEST_CASE("collada: matrices by rows; a mirror image is turned; nodes within nodes") {
   const Mesh mesh = collada(file(R"(<node><matrix>0 -1 0 5 1 0 0 6 0 0 -1 7 0 0 0 1</matrix>)" +
-                              node("<translate>1 0 0</translate>") + "</node>"));
+                                 node("<translate>1 0 0</translate>") + "</node>"));
   // (x + 1, y, z) becomes (5 - y, 7 + x, 7 - z).
   const auto expected = std::vector<RationalPoint>{{5, 7, 7}, {5, 8, 7}, {4, 7, 7}, {5, 7, 6}};
   for (const RationalPoint& p : expected) {
@@ -108,12 +109,12 @@ TEST_CASE("collada: matrices by rows; a mirror image is turned; nodes within nod
 }
 
 TEST_CASE("collada: instances of nodes are objects of their own") {
-  const std::string libraries =
-      geometry(kTriangles) + R"(<library_nodes><node id="m" name="wheel">
+  const std::string libraries = geometry(kTriangles) + R"(<library_nodes><node id="m" name="wheel">
 <instance_geometry url="#g"/></node></library_nodes>)";
-  const Mesh mesh = collada(file(R"(<node><translate>9 0 0</translate><instance_node url="#m"/></node>
+  const Mesh mesh =
+      collada(file(R"(<node><translate>9 0 0</translate><instance_node url="#m"/></node>
 <node><instance_node url="#m"/></node>)",
-                              libraries));
+                   libraries));
   CHECK(mesh.parts.size() == 2);
   CHECK(mesh.points.size() == 8);
   check_says(
