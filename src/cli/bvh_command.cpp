@@ -176,7 +176,8 @@ void add_bvh_command(Command& program, int& exit_code) {
   command.footer(kBvhFooter);
   command
       .add_option("INPUT", options->input,
-                  "a mesh (OBJ, OFF, PLY, STL), or halfspaces (JSON, .ine, rows); - is standard "
+                  "a mesh (OBJ, OFF, PLY, STL, glTF, COLLADA), or halfspaces (JSON, .ine, rows); - "
+                  "is standard "
                   "input")
       ->required();
   Option from = command.add_option(

@@ -170,7 +170,8 @@ void require_folder(const std::string& folder) {
 void add_input_argument(Command& command, std::vector<std::string>& inputs) {
   command
       .add_option("INPUT", inputs,
-                  "meshes or points (OBJ, OFF, PLY, STL, XYZ) or halfspaces (JSON, .ine, rows); - "
+                  "meshes or points (OBJ, OFF, PLY, STL, glTF, COLLADA, XYZ) or halfspaces (JSON, "
+                  ".ine, rows); - "
                   "is standard input")
       ->required();
 }

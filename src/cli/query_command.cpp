@@ -239,7 +239,8 @@ void add_solid(Command& command, const std::string& name, std::string& path,
   command
       .add_option(name, path,
                   meaning +
-                      ": mesh or points (OBJ, OFF, PLY, STL, XYZ) or halfspaces (JSON, .ine, "
+                      ": mesh or points (OBJ, OFF, PLY, STL, glTF, COLLADA, XYZ) or halfspaces "
+                      "(JSON, .ine, "
                       "rows); - is standard input")
       ->required();
 }

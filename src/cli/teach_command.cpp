@@ -133,7 +133,8 @@ void add_teach_command(Command& program, int& exit_code) {
   command.footer(kTeachFooter);
   command
       .add_option("INPUT", options->input,
-                  "points or a mesh (OBJ, OFF, PLY, STL, XYZ), or halfspaces (JSON, .ine, rows); - "
+                  "points or a mesh (OBJ, OFF, PLY, STL, glTF, COLLADA, XYZ), or halfspaces (JSON, "
+                  ".ine, rows); - "
                   "is standard input")
       ->required();
   add_faces(command, options->request.faces, "how many halfspaces to keep, at least 4");

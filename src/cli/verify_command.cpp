@@ -301,9 +301,9 @@ void add_verify_command(Command& program, int& exit_code) {
       "decide exactly whether an output is a convex solid that contains its input, or parts "
       "whose union does");
   command.footer(kVerifyFooter);
-  command.add_option(
-      "INPUT", options->input,
-      "the shape to be enclosed: a mesh or points (OBJ, OFF, PLY, STL, XYZ), or halfspaces");
+  command.add_option("INPUT", options->input,
+                     "the shape to be enclosed: a mesh or points (OBJ, OFF, PLY, STL, glTF, "
+                     "COLLADA, XYZ), or halfspaces");
   command.add_option(
       "CANDIDATE", options->candidate,
       "the output to be judged: a mesh, or halfspaces (JSON, .ine, rows n1 n2 n3 d); with --union "
