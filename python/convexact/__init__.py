@@ -65,7 +65,7 @@ def hull(
     if unknown:
         raise InvalidArgument(f"measures: expected volume, area and mean_width, found {sorted(unknown)}")
     rows, halfspaces = _shape(points, planes)
-    return Hull(_core.hull(rows, halfspaces, "volume" in measures, "area" in measures, "mean_width" in measures, False, digits,
+    return Hull(_core.hull(rows, halfspaces, "volume" in measures, "area" in measures, "mean_width" in measures, digits,
                            _inputs.progress(progress)))
 
 

@@ -29,7 +29,7 @@ def _text(number: Any, place: str) -> str:
 
 
 def rows(values: Any, width: int, name: str) -> Rows:
-    """Rows of so many numbers: float64 without a copy where they are contiguous doubles; integers beyond 2**53, Fraction,
+    """Rows of so many numbers: float64 where they are doubles; integers beyond 2**53, Fraction,
     Decimal and int objects exactly, as texts."""
     try:
         array = np.asarray(values)

@@ -71,14 +71,13 @@ struct Hull {
   HullResult result;
 };
 
-Hull hull(const Shape& shape, bool volume, bool area, bool mean_width, bool inertia, int digits,
-          std::size_t size, const py::object& progress) {
+Hull hull(const Shape& shape, bool volume, bool area, bool mean_width, int digits, std::size_t size,
+          const py::object& progress) {
   HullRequest request;
   request.volume = volume;
   request.exact_volume = volume;
   request.area = area;
   request.mean_width = mean_width;
-  request.inertia = inertia;
   request.digits = digits;
   return {require_solid(interruptible(size, progress, [&](const StageWatch& watch) {
     request.watch = watch;
@@ -218,12 +217,11 @@ struct JudgedParts {
 
 JudgedParts judge_parts(const Mesh& input, const std::vector<NamedPart>& parts, Options options,
                         const std::vector<std::string>& claims, const py::object& progress) {
-  PartsRequest request;
-  request.measures = PartMeasures::None;
   VerifyRequest common;
   common.tightness = false;
   apply(taken(options, verify_fields()), verify_fields(), common);
-  request = parts_request(common);
+  PartsRequest request = parts_request(common);
+  request.measures = PartMeasures::None;
   apply(options, parts_fields(), request);
   for (const std::string& name : claims) {
     const auto code = claim_of_name(name);
@@ -399,9 +397,9 @@ PYBIND11_MODULE(_core, module) {
       .def("mean_width", [](const python::Hull& h) { return pair_of(h.result.mean_width); })
       .def("json", [](const python::Hull& h) { return to_json(h.result, 10, -1); });
   module.def("hull", [](const py::object& points, const py::object& planes, bool volume, bool area,
-                        bool mean_width, bool inertia, int digits, const py::object& progress) {
+                        bool mean_width, int digits, const py::object& progress) {
     const Shape shape = shape_of(points, planes);
-    return hull(shape, volume, area, mean_width, inertia, digits, size_of(shape), progress);
+    return hull(shape, volume, area, mean_width, digits, size_of(shape), progress);
   });
 
   py::class_<Simplified>(module, "Simplified")
