@@ -275,7 +275,10 @@ class RobotRun {
 
 }  // namespace
 
-bool is_robot(const std::string& input) { return lower_case(input).ends_with(".urdf"); }
+bool is_robot(const std::string& input) {
+  const std::string name = lower_case(input);
+  return name.ends_with(".urdf") || name.ends_with(".xacro");  // which says what to do
+}
 
 int run_robot(const DecomposeArguments& options, const DecomposeRequest& request) {
   return RobotRun(options, request).run();

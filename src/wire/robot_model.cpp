@@ -107,8 +107,9 @@ std::string of_part(const std::string& bytes, const RobotCollision& collision, c
         {first - collision.first, last - collision.first, by(bytes.substr(first, last - first))});
     return true;
   };
-  replace(collision.mesh_tag, "filename",
-          [&](const std::string&) { return escaped_markup(part.path); });
+  const bool is_named = replace(collision.mesh_tag, "filename",
+                                [&](const std::string&) { return escaped_markup(part.path); });
+  if (!is_named) throw Error(ErrorCode::Internal, "a mesh of a collision has no file name");
   replace(collision.first, "name",
           [&](const std::string& name) { return name + "_" + escaped_markup(part.name); });
   if (unit != 1 && !replace(collision.mesh_tag, "scale",

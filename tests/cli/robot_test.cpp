@@ -98,6 +98,8 @@ TEST_CASE("robot: what cannot be, is refused in one sentence") {
   says(scratch.write("a.urdf", "<robot name='a'><link name='l'/>"), 2, "to one folder");
   says(scratch.write("b.urdf", "<robot name='a'><link name='l'/>") + out, 3, "XML");
   says(scratch.write("c.urdf", "<!DOCTYPE r [<!ENTITY x 'y'>]><robot/>") + out, 3, "entities");
+  says(scratch.write("x.urdf.xacro", "<robot xmlns:xacro='x'><xacro:if/></robot>") + out, 3,
+       "run xacro first");
   const auto none = run_program("decompose " + scratch.write("d.urdf", "<robot name='d'/>") + out);
   CHECK(none.exit == 0);
   CHECK(none.out.find("no collision names a mesh") != none.out.npos);
