@@ -6,6 +6,7 @@
 #include "checker.hpp"
 #include "decompositions.hpp"
 #include "proof_text.hpp"
+#include "sweep.hpp"
 
 using namespace convexact;
 using support::mesh_of_cells;
@@ -127,7 +128,7 @@ TEST_CASE("reach proof: a cell outside is not inside, whatever touches it") {
   CHECK(tried > 97);
 }
 
-TEST_CASE("reach proof: no line of the claim can be left out") {
+TEST_CASE("reach proof: no line of the claim can be left out" * sweep) {
   const ProofText good = slot_proof();
   const std::size_t from = first(good, "reach", "");
   std::size_t accepted = 0, tried = 0;

@@ -267,7 +267,7 @@ TEST_CASE("without every merge: the same clusters, also for a number of parts an
   }
 }
 
-TEST_CASE("without every merge: a single dent in many triangles is seen") {
+TEST_CASE("without every merge: a single dent in many triangles is seen" * sweep) {
   Mesh ball;
   add_ball({0, 0, 0}, 12, 16, ball);
   std::size_t seen = 0;

@@ -8,6 +8,7 @@
 
 #include "cells.hpp"
 #include "expect_error.hpp"
+#include "sweep.hpp"
 
 using namespace convexact;
 using namespace support;
@@ -409,7 +410,7 @@ TEST_CASE("verify_parts: a distance asks about both directions") {
                  {CoversPoints, CoversSurface, CoversSolid});
 }
 
-TEST_CASE("verify_parts: a distance of 0 is decided by volumes") {
+TEST_CASE("verify_parts: a distance of 0 is decided by volumes" * sweep) {
   check_violated(within(cross_cells(), boxes_of(cross_cells()), {0, false}), {});
   const PartsVerdict verdict =
       within(l_cells(), {{{0, 0, 0}, {2, 1, 1}}, {{0, 0, 0}, {1, 2, 1.0625}}}, {0, true});

@@ -82,7 +82,7 @@ std::set<Cell> block_without(const std::set<Cell>& gone) {
 
 }  // namespace
 
-TEST_CASE("cut parts: solids of cells are taken apart exactly") {
+TEST_CASE("cut parts: solids of cells are taken apart exactly" * sweep) {
   std::set<Cell> stairs;
   for (int x = 0; x < 4; ++x) {
     for (int z = 0; z <= x; ++z) stairs.insert({x, 0, z});
@@ -173,7 +173,7 @@ TEST_CASE("cut parts: a number of parts, beyond the distance and below the compo
   }
 }
 
-TEST_CASE("cut parts: an excess that is allowed is not exceeded") {
+TEST_CASE("cut parts: an excess that is allowed is not exceeded" * sweep) {
   const Mesh mesh = shipped("cases/cup");
   std::size_t before = 0;
   for (const char* most : {"2/5", "1/20"}) {
@@ -188,7 +188,7 @@ TEST_CASE("cut parts: an excess that is allowed is not exceeded") {
   }
 }
 
-TEST_CASE("cut parts: disjoint parts, but for roundings") {
+TEST_CASE("cut parts: disjoint parts, but for roundings" * sweep) {
   for (const char* name : {"cases/cup", "cases/house", "cases/bin"}) {
     CAPTURE(name);
     const Mesh mesh = shipped(name);

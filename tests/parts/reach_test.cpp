@@ -91,7 +91,7 @@ std::vector<RationalPoint> cavity_of(const std::string& name) {
 
 }  // namespace
 
-TEST_CASE("decompose --guard reach: cavities stay open") {
+TEST_CASE("decompose --guard reach: cavities stay open" * sweep) {
   // 20% of the cup's 0.002634; the bin's sheets are thickened if nothing merges with them.
   const std::pair<const char*, const char*> cases[] = {
       {"bin", "0.00001"}, {"cup", "0.000526"}, {"tube", "0.0008"}, {"house", "0.00001"}};
