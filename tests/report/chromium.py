@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: MIT
 """Headless Chromium, driven over the pipe of its DevTools protocol with the standard library only."""
+import atexit
 import base64
 import json
 import os
@@ -20,24 +21,80 @@ def find():
     return next(filter(None, map(shutil.which, ("chromium", "chromium-browser", "google-chrome"))), None)
 
 
-class Page:
-    """A page of a fresh browser; `complaints` are errors of its scripts and of loading."""
+class Browser:
+    """A process of Chromium with one kind of graphics, which all pages of a test share: to start one for each page
+    took most of their time."""
+    running = {}
 
-    def __init__(self, url, width=1280, height=900, media=(), graphics=NO_WEBGL):
+    def __init__(self, graphics):
         # Its helper processes may still write there when the browser has ended.
         self.folder = tempfile.TemporaryDirectory(ignore_cleanup_errors=True)
         to_browser, self.commands = os.pipe()
         self.answers, from_browser = os.pipe()
         # The browser reads commands from descriptor 3 and writes answers to 4.
-        self.browser = subprocess.Popen(
+        self.process = subprocess.Popen(
             ["/bin/sh", "-c", f'exec "$@" 3<&{to_browser} 4>&{from_browser}', "chromium", find(), *FLAGS,
              *graphics, f"--user-data-dir={self.folder.name}", "about:blank"],
             pass_fds=(to_browser, from_browser), stderr=subprocess.DEVNULL)
         os.close(to_browser)
         os.close(from_browser)
-        self.number, self.session, self.rest, self.events, self.complaints = 0, None, b"", [], []
-        target = self.call("Target.createTarget", url="about:blank")["targetId"]
-        self.session = self.call("Target.attachToTarget", targetId=target, flatten=True)["sessionId"]
+        self.number, self.rest, self.pages = 0, b"", {}
+        atexit.register(self.close)
+
+    @classmethod
+    def of(cls, graphics):
+        key = tuple(graphics)
+        if key not in cls.running:
+            cls.running[key] = cls(graphics)
+        return cls.running[key]
+
+    def close(self):
+        os.close(self.commands)
+        self.process.terminate()
+        self.process.wait()
+        os.close(self.answers)
+        self.folder.cleanup()
+
+    def call(self, method, session=None, **parameters):
+        self.number += 1
+        message = {"id": self.number, "method": method, "params": parameters}
+        if session:
+            message["sessionId"] = session
+        os.write(self.commands, json.dumps(message).encode() + b"\0")
+        while True:
+            answer = self.read()
+            if answer.get("id") == self.number:
+                if "error" in answer:
+                    raise RuntimeError(f"{method}: {answer['error']['message']}")
+                return answer["result"]
+
+    def read(self):
+        """The next message; what happens in a page goes to that page."""
+        while b"\0" not in self.rest:
+            piece = os.read(self.answers, 1 << 20)
+            if not piece:
+                raise RuntimeError("Chromium ended")
+            self.rest += piece
+        line, self.rest = self.rest.split(b"\0", 1)
+        message = json.loads(line)
+        page = self.pages.get(message.get("sessionId"))
+        if page and "method" in message:
+            page.events.append(message)
+            page.note(message["method"], message["params"])
+        return message
+
+
+class Page:
+    """A page in a window of its own that knows nothing of others; `complaints` are errors of its scripts and of
+    loading."""
+
+    def __init__(self, url, width=1280, height=900, media=(), graphics=NO_WEBGL):
+        self.browser = Browser.of(graphics)
+        self.events, self.complaints = [], []
+        self.context = self.browser.call("Target.createBrowserContext")["browserContextId"]
+        self.target = self.browser.call("Target.createTarget", url="about:blank", browserContextId=self.context)["targetId"]
+        self.session = self.browser.call("Target.attachToTarget", targetId=self.target, flatten=True)["sessionId"]
+        self.browser.pages[self.session] = self
         for domain in ("Page", "Runtime", "Log", "Network"):
             self.call(f"{domain}.enable")
         self.call("Emulation.setDeviceMetricsOverride", width=width, height=height, deviceScaleFactor=1,
@@ -46,18 +103,15 @@ class Page:
                   features=[{"name": name, "value": value} for name, value in media])
         self.call("Page.navigate", url=url)
         while not any(event["method"] == "Page.loadEventFired" for event in self.events):
-            self.read()
+            self.browser.read()
 
     def close(self):
-        os.close(self.commands)
-        self.browser.terminate()
-        self.browser.wait()
-        os.close(self.answers)
-        self.folder.cleanup()
+        del self.browser.pages[self.session]
+        self.browser.call("Target.disposeBrowserContext", browserContextId=self.context)
 
     def processor_seconds(self):
         """What the browser and its helper processes have used of the processors (Linux)."""
-        ticks, todo = 0, [self.browser.pid]
+        ticks, todo = 0, [self.browser.process.pid]
         while todo:
             process = pathlib.Path("/proc", str(todo.pop()))
             try:
@@ -69,30 +123,7 @@ class Page:
         return ticks / os.sysconf("SC_CLK_TCK")
 
     def call(self, method, **parameters):
-        self.number += 1
-        message = {"id": self.number, "method": method, "params": parameters}
-        if self.session:
-            message["sessionId"] = self.session
-        os.write(self.commands, json.dumps(message).encode() + b"\0")
-        while True:
-            answer = self.read()
-            if answer.get("id") == self.number:
-                if "error" in answer:
-                    raise RuntimeError(f"{method}: {answer['error']['message']}")
-                return answer["result"]
-
-    def read(self):
-        while b"\0" not in self.rest:
-            piece = os.read(self.answers, 1 << 20)
-            if not piece:
-                raise RuntimeError("Chromium ended")
-            self.rest += piece
-        line, self.rest = self.rest.split(b"\0", 1)
-        message = json.loads(line)
-        if "method" in message:
-            self.events.append(message)
-            self.note(message["method"], message["params"])
-        return message
+        return self.browser.call(method, session=self.session, **parameters)
 
     def note(self, method, parameters):
         if method == "Runtime.exceptionThrown":
