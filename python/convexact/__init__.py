@@ -14,27 +14,35 @@ False
 from __future__ import annotations
 
 from dataclasses import dataclass, field
-from typing import Any, Callable, Sequence
+from typing import Any, Callable, Mapping, Sequence
 
 import numpy as np
 
 from . import _core, _inputs
 from ._core import ConvexactError, Interrupted, InvalidArgument, MalformedInput, NotSolid, Unreadable, Unrepresentable
-from ._results import Claim, Decomposition, Hull, Inner, Part, Simplified, Verdict, Violated
+from ._queries import ImplicitPoints, Overlap, RayHit, Tree, TreeHit, bvh, false_positives, implicit, overlap, ray, read_tree
+from ._results import Claim, Decomposition, Hull, Inner, Mass, Part, Scene, Simplified, Verdict, Violated
 
 __all__ = [
-    "Claim", "Conformance", "ConvexactError", "Decomposition", "Failure", "Hull", "Inner", "Interrupted", "InvalidArgument",
-    "MalformedInput", "NotSolid", "Part", "Simplified", "Unreadable", "Unrepresentable", "Verdict", "Violated", "conform",
-    "decompose", "families", "generate", "hull", "inner", "read_mesh", "shrink", "simplify", "verify", "verify_parts",
+    "Claim", "Conformance", "ConvexactError", "Decomposition", "Failure", "Hull", "ImplicitPoints", "Inner", "Interrupted",
+    "InvalidArgument", "MalformedInput", "Mass", "NotSolid", "Overlap", "Part", "RayHit", "Scene", "Simplified", "Tree", "TreeHit",
+    "Unreadable", "Unrepresentable", "Verdict", "Violated", "bvh", "conform", "decompose", "false_positives", "families", "generate",
+    "hull", "implicit", "inner", "overlap", "ray", "read_mesh", "read_tree", "shrink", "simplify", "simplify_scene", "verify",
+    "verify_parts",
 ]
 
 
-def _shape(points: Any, planes: Any) -> tuple[Any, Any]:
+def _shape_with_faces(points: Any, planes: Any) -> tuple[Any, Any, list[list[int]]]:
     if (points is None) == (planes is None):
         raise InvalidArgument("expected points, or planes=, and not both")
     if planes is not None:
-        return None, _inputs.rows(planes, 4, "planes")
-    return _inputs.mesh(points, "points")[0], None
+        return None, _inputs.rows(planes, 4, "planes"), []
+    rows, polygons = _inputs.mesh(points, "points")
+    return rows, None, polygons
+
+
+def _shape(points: Any, planes: Any) -> tuple[Any, Any]:
+    return _shape_with_faces(points, planes)[:2]
 
 
 def hull(
@@ -48,7 +56,7 @@ def hull(
     points : array (n, 3), path, (vertices, faces), or object with vertices
     planes : array (m, 4), optional
         Halfspaces n1 x + n2 y + n3 z + d <= 0, instead of points.
-    measures : names out of volume, area, mean_width
+    measures : names out of volume, area, mean_width and inertia (for `mass`)
     digits : certain digits of area and mean width
     progress : True, or a callable of stage, done and total
 
@@ -61,18 +69,18 @@ def hull(
     >>> cx.hull([[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]]).volume
     Fraction(1, 6)
     """
-    unknown = set(measures) - {"volume", "area", "mean_width"}
+    unknown = set(measures) - {"volume", "area", "mean_width", "inertia"}
     if unknown:
-        raise InvalidArgument(f"measures: expected volume, area and mean_width, found {sorted(unknown)}")
+        raise InvalidArgument(f"measures: expected volume, area, mean_width and inertia, found {sorted(unknown)}")
     rows, halfspaces = _shape(points, planes)
-    return Hull(_core.hull(rows, halfspaces, "volume" in measures, "area" in measures, "mean_width" in measures, digits,
-                           _inputs.progress(progress)))
+    return Hull(_core.hull(rows, halfspaces, list(measures), digits, _inputs.progress(progress)))
 
 
 def simplify(
     points: Any = None, faces: int | None = None, *, planes: Any = None, max_growth: Any = None, cost: str | None = None,
     engine: str | None = None, search: str | None = None, verify: str | None = None, seed: int | None = None,  # pylint: disable=redefined-outer-name
-    precision: int | None = None, trace: bool = False, record: bool = False, progress: Any = None,
+    growth_of: str | None = None, keep: Mapping[str, Any] | None = None, precision: int | None = None, trace: bool = False,
+    record: bool = False, progress: Any = None,
 ) -> Simplified:
     """Few halfspaces that hold every point: the facets of the hull, less the ones whose removal adds least.
 
@@ -82,6 +90,9 @@ def simplify(
     faces : how many halfspaces to keep, at least 4
     max_growth : a share, such as 0.05, that the measure may grow by; instead of `faces`, or besides
     cost : 'volume', 'area' or 'mean-width', which is kept small
+    growth_of : the measure that max_growth limits, if it is another one
+    keep : facets that stay, a dict of `ids`, `planes` (m, 4), `normals` (k, 3) with `degrees` (or the nearest facets), and
+        `faces`, numbers of faces of a mesh; such as {"normals": [[0, 0, -1]]} for the side that a body stands on
     engine : 'exact', 'filtered' (the default) or 'float'
     search : 'walk' or 'local', which improves the result
     precision : 64 or 32, in which `mesh` is stored; for float32 input 32
@@ -100,17 +111,54 @@ def simplify(
         precision = 32
     if precision not in (None, 32, 64):
         raise InvalidArgument(f"precision: expected 32 or 64, found {precision!r}")
-    rows, halfspaces = _shape(points, planes)
-    given = {"faces": faces, "max_growth": max_growth, "cost": cost, "engine": engine, "search": search, "verify": verify,
-             "seed": seed, "precision": precision, "trace": trace or None, "record": record or None}
-    return Simplified(_core.simplify(rows, halfspaces, _inputs.options(given), _inputs.progress(progress)))
+    rows, halfspaces, polygons = _shape_with_faces(points, planes)
+    given = {"faces": faces, "max_growth": max_growth, "growth_of": growth_of, "cost": cost, "engine": engine, "search": search,
+             "verify": verify, "seed": seed, "precision": precision, "trace": trace or None, "record": record or None}
+    return Simplified(_core.simplify(rows, halfspaces, _inputs.options(given), _inputs.keep(keep, polygons),
+                                     _inputs.progress(progress)))
 
 
-def inner(points: Any, vertices: int | None = None, *, max_loss: Any = None, progress: Any = None) -> Inner:
-    """A solid inside the hull: few of its vertices, removed one by one where the least volume is lost."""
+def simplify_scene(
+    objects: Sequence[Any], faces: int, *, keep: Sequence[Mapping[str, Any] | None] | None = None, max_growth: Any = None,
+    cost: str | None = None, engine: str | None = None, progress: Any = None,
+) -> Scene:
+    """Encloses several objects, each in halfspaces of its own, with one number of halfspaces for all of them.
+
+    Parameters
+    ----------
+    objects : each as the points of hull()
+    faces : how many halfspaces to keep in all objects together, at least 4 for each
+    keep : by object, as in simplify()
+    max_growth : as in simplify(), of the sum over all objects
+
+    >>> import convexact as cx
+    >>> scene = cx.simplify_scene([cx.generate("random-ball", seed) for seed in (1, 2)], faces=20)
+    >>> sum(len(each.exact_planes) for each in scene)
+    20
+    """
+    given = _inputs.options({"max_growth": max_growth, "cost": cost, "engine": engine})
+    shapes = [_inputs.mesh(each, f"objects[{k}]") for k, each in enumerate(objects)]
+    if keep is not None and len(keep) != len(shapes):
+        raise InvalidArgument(f"keep: expected an entry for each of {len(shapes)} objects, found {len(keep)}")
+    kept = [] if keep is None else [_inputs.keep(each, shapes[k][1]) for k, each in enumerate(keep)]
+    return Scene(_core.simplify_scene([(rows, None) for rows, _ in shapes], faces, given, kept, _inputs.progress(progress)))
+
+
+def inner(
+    points: Any, vertices: int | None = None, *, max_loss: Any = None, engine: str | None = None,
+    verify: str | None = None, progress: Any = None,  # pylint: disable=redefined-outer-name
+) -> Inner:
+    """A solid inside the hull: few of its vertices, removed one by one where the least volume is lost.
+
+    Parameters
+    ----------
+    points : as hull()
+    vertices : how many to keep, at least 4
+    max_loss : the share of the volume that may be lost; instead of `vertices`, or besides
+    """
     rows, _ = _inputs.mesh(points, "points")
-    loss = None if max_loss is None else _inputs.text(max_loss)
-    return Inner(_core.inner(rows, vertices, loss, _inputs.progress(progress)))
+    given = {"vertices": vertices, "max_loss": max_loss, "engine": engine, "verify": verify}
+    return Inner(_core.inner(rows, _inputs.options(given), _inputs.progress(progress)))
 
 
 def verify(
@@ -141,10 +189,8 @@ def verify(
     rows, faces = _inputs.mesh(points, "points")
     given = _inputs.options({"asks": asks, "tolerance": tolerance, "max_facets": max_facets, "max_vertices": max_vertices})
     bar = _inputs.progress(progress)
-    if isinstance(candidate, (Hull, Simplified)):
-        candidate = np.array(candidate.exact_planes, dtype=object)
-    if not _inputs._is_pair(candidate) and np.ndim(candidate) == 2 and np.shape(candidate)[1] == 4:  # pylint: disable=protected-access
-        planes = _inputs.rows(candidate, 4, "candidate")
+    planes = _inputs.halfspaces(candidate, "candidate")
+    if planes is not None:
         return Verdict(_core.verify_planes(rows, faces, planes, given, _inputs.names(claims), bar))
     vertices, corners = _inputs.mesh(candidate, "candidate")
     return Verdict(_core.verify_mesh(rows, faces, vertices, corners, given, _inputs.names(claims), bar))

@@ -5,7 +5,7 @@ from __future__ import annotations
 import os
 from decimal import Decimal
 from fractions import Fraction
-from typing import Any, Sequence
+from typing import Any, Mapping, Sequence
 
 import numpy as np
 
@@ -73,6 +73,42 @@ def faces(values: Any, name: str) -> list[list[int]]:
 
 def _is_pair(shape: Any) -> bool:
     return isinstance(shape, (tuple, list)) and len(shape) == 2 and np.ndim(shape[0]) == 2
+
+
+def halfspaces(shape: Any, name: str) -> Rows | None:
+    """Rows (n1, n2, n3, d) of a result of this package, exactly, or of an array (m, 4); None of anything else."""
+    exact = getattr(shape, "exact_planes", None)
+    if exact is not None:
+        return rows(np.array(exact, dtype=object).reshape(-1, 4), 4, name)
+    if isinstance(shape, (str, os.PathLike)) or _is_pair(shape) or hasattr(shape, "vertices") or hasattr(shape, "points"):
+        return None
+    try:
+        size = np.shape(shape)
+    except ValueError:  # rows of several lengths, which rows() refuses
+        return None
+    return rows(shape, 4, name) if len(size) == 2 and size[1] == 4 else None
+
+
+def keep(selectors: Any, polygons: list[list[int]]) -> dict[str, Any]:
+    """Facets that stay: ids, planes, normals with degrees, and faces of the input by their numbers."""
+    if selectors is None:
+        return {}
+    if not isinstance(selectors, Mapping) or not set(selectors) <= {"ids", "planes", "normals", "degrees", "faces"}:
+        raise _core.InvalidArgument(f"keep: expected a dict of ids, planes, normals, degrees and faces, found {selectors!r}")
+    given = dict(selectors)
+    if "degrees" in given and "normals" not in given:
+        raise _core.InvalidArgument("keep: degrees need normals")
+    for name, width in (("planes", 4), ("normals", 3)):
+        if name in given:
+            given[name] = rows(given[name], width, f"keep[{name!r}]")
+    if "faces" in given:
+        wrong = [k for k in given["faces"] if not 0 <= k < len(polygons)]
+        if wrong:
+            raise _core.InvalidArgument(f"keep['faces']: expected numbers of the {len(polygons)} faces of the input, found {wrong[0]}")
+        given["faces"] = [polygons[k] for k in given["faces"]]
+    if "ids" in given:
+        given["ids"] = [int(k) for k in given["ids"]]
+    return given
 
 
 def mesh(shape: Any, name: str, exact: bool = False) -> tuple[Rows, list[list[int]]]:

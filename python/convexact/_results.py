@@ -2,6 +2,7 @@
 """What calls return. Arrays are float64; what is exact is a Fraction or an int; enclosures are pairs (low, high)."""
 from __future__ import annotations
 
+import html
 import json
 import math
 from dataclasses import dataclass
@@ -11,6 +12,8 @@ from typing import Any, Iterator, Sequence
 
 import numpy as np
 import numpy.typing as npt
+
+from . import _core
 
 Array = npt.NDArray[np.float64]
 Pair = "tuple[float, float]"
@@ -28,6 +31,10 @@ def _nearest(rows: Sequence[Sequence[Any]]) -> Array:
     return np.array([[float(x) for x in row] for row in rows], dtype=np.float64).reshape(-1, 3)
 
 
+def _frame(page: str) -> str:
+    return f'<iframe srcdoc="{html.escape(page, quote=True)}" width="100%" height="480" style="border:0"></iframe>'
+
+
 class _Result:
     """Holds what the library found and converts it when it is first asked for. Pickles as plain values."""
 
@@ -40,6 +47,7 @@ class _Result:
         return {name: getattr(self, name) for name in (*self._fields, "document")}
 
     def __setstate__(self, state: dict[str, Any]) -> None:
+        self._found = None  # pickles hold values only
         self.__dict__.update(state)
 
     @cached_property
@@ -77,6 +85,9 @@ class _Solid(_Result):
         planes: Array = self._found.planes()
         return planes
 
+    def _repr_html_(self) -> str:
+        return _frame(self._found.picture()) if self._found else repr(self)
+
     def to_trimesh(self) -> Any:
         """A trimesh.Trimesh of fans over the facets."""
         import trimesh  # type: ignore[import-not-found, import-untyped, unused-ignore]  # pylint: disable=import-outside-toplevel
@@ -85,10 +96,27 @@ class _Solid(_Result):
         return trimesh.Trimesh(self.vertices, triangles, process=False)
 
 
+@dataclass(frozen=True)
+class Mass:
+    """Of a solid of density 1, exactly."""
+
+    center: tuple[Fraction, ...]
+    inertia: list[list[Fraction]]  # (3, 3), about the center
+
+
 class Hull(_Solid):
     """An exact convex hull."""
 
-    _fields = ("exact_vertices", "vertices", "faces", "exact_planes", "planes", "volume", "area", "mean_width")
+    _fields = ("exact_vertices", "vertices", "faces", "exact_planes", "planes", "volume", "area", "mean_width", "mass")
+
+    @cached_property
+    def mass(self) -> Mass | None:
+        """Center of mass and tensor of inertia; of hull(..., measures=["inertia"])."""
+        found = self._found.mass()
+        if found is None:
+            return None
+        xx, yy, zz, xy, xz, yz = (Fraction(x) for x in found[1])
+        return Mass(tuple(Fraction(x) for x in found[0]), [[xx, xy, xz], [xy, yy, yz], [xz, yz, zz]])
 
     @cached_property
     def volume(self) -> Fraction | None:
@@ -115,7 +143,12 @@ class Hull(_Solid):
 class Simplified(_Solid):
     """A solid of few halfspaces that holds every point."""
 
-    _fields = ("exact_vertices", "vertices", "faces", "exact_planes", "planes", "mesh", "steps", "stop", "volumes")
+    _fields = ("exact_vertices", "vertices", "faces", "exact_planes", "planes", "mesh", "steps", "stop", "volumes", "kept")
+
+    @cached_property
+    def kept(self) -> list[tuple[int, int]]:
+        """With keep=: facets of the hull that were kept, each with its place in `planes`."""
+        return list(self._found.kept())
 
     @cached_property
     def mesh(self) -> tuple[Array, list[list[int]]] | None:
@@ -154,6 +187,41 @@ class Simplified(_Solid):
 
     def __repr__(self) -> str:
         return f"<convexact.Simplified: {len(self.exact_planes)} halfspaces after {self.steps} removals, volume +{self.growth:.3%}>"
+
+
+class Scene(_Result, Sequence[Simplified]):
+    """Several objects, each enclosed by itself, as a sequence."""
+
+    _fields = ("objects", "steps", "stop", "volumes")
+
+    @cached_property
+    def objects(self) -> list[Simplified]:
+        return [Simplified(found) for found in self._found.objects()]
+
+    @cached_property
+    def steps(self) -> int:
+        """How many halfspaces were removed from all of them."""
+        return int(self._found.steps())
+
+    @cached_property
+    def stop(self) -> str:
+        return str(self._found.stop())
+
+    @cached_property
+    def volumes(self) -> tuple[tuple[float, float], tuple[float, float]]:
+        """Sums over the objects, as Simplified.volumes."""
+        pairs: tuple[tuple[float, float], tuple[float, float]] = self._found.volumes()
+        return pairs
+
+    def __len__(self) -> int:
+        return len(self.objects)
+
+    def __getitem__(self, index: Any) -> Any:
+        return self.objects[index]
+
+    def __repr__(self) -> str:
+        planes = sum(len(each.exact_planes) for each in self)
+        return f"<convexact.Scene: {len(self)} objects in {planes} halfspaces>"
 
 
 class Inner(_Result):
@@ -244,6 +312,12 @@ class Part:
     exact_planes: list[tuple[int, ...]]
     owns: list[int]  # triangles of the input
 
+    @cached_property
+    def planes(self) -> Array:
+        """(m, 4) in doubles, rounded outward: proven to hold every vertex."""
+        planes: Array = _core.hull(self.vertices, None, [], 1, None).planes()
+        return planes
+
     def __repr__(self) -> str:
         return f"<convexact.Part: {len(self.vertices)} vertices, {len(self.faces)} faces>"
 
@@ -251,7 +325,7 @@ class Part:
 class Decomposition(_Result, Sequence[Part]):
     """Convex parts that hold a mesh, as a sequence."""
 
-    _fields = ("parts", "limit_holds", "method", "covers", "summary")
+    _fields = ("parts", "limit_holds", "method", "covers", "summary", "_volumes")
 
     @cached_property
     def parts(self) -> list[Part]:
@@ -273,6 +347,29 @@ class Decomposition(_Result, Sequence[Part]):
     def covers(self) -> str:
         """What is proven to lie in the parts: 'solid' or 'surface'."""
         return str(self._found.covers())
+
+    @cached_property
+    def _volumes(self) -> tuple[Any, Any, Any]:
+        volumes: tuple[Any, Any, Any] = self._found.measures()
+        return volumes
+
+    @property
+    def solid_volume(self) -> tuple[float, float] | None:
+        """Doubles below and above; with measures='uncovered' or 'all', as the next two."""
+        volume: tuple[float, float] | None = self._volumes[0]
+        return volume
+
+    @property
+    def uncovered(self) -> tuple[float, float] | None:
+        """The volume of the solid that lies in no part."""
+        volume: tuple[float, float] | None = self._volumes[1]
+        return volume
+
+    @property
+    def excess(self) -> tuple[float, float] | None:
+        """The volume of the parts outside of the solid; with measures='all'."""
+        volume: tuple[float, float] | None = self._volumes[2]
+        return volume
 
     @cached_property
     def summary(self) -> str:
@@ -299,7 +396,4 @@ class Decomposition(_Result, Sequence[Part]):
         return f"<convexact.Decomposition: {len(self)} parts by {self.method} hold the {self.covers}>"
 
     def _repr_html_(self) -> str:
-        import html  # pylint: disable=import-outside-toplevel
-
-        page = html.escape(self._found.picture("decomposition"), quote=True)
-        return f'<iframe srcdoc="{page}" width="100%" height="480" style="border:0"></iframe>'
+        return _frame(self._found.picture("decomposition")) if self._found else repr(self)

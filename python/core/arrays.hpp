@@ -18,6 +18,23 @@ namespace py = pybind11;
 using Doubles = py::array_t<double, py::array::c_style>;
 using Faces = std::vector<std::vector<std::uint32_t>>;
 
+/// Lists of texts such as "1/3", or an array of doubles.
+inline std::vector<std::vector<Rational>> rationals_of(const py::object& rows) {
+  std::vector<std::vector<Rational>> all;
+  if (py::isinstance<Doubles>(rows)) {
+    for (const auto& row : rows.cast<std::vector<std::vector<double>>>()) {
+      std::vector<Rational>& last = all.emplace_back();
+      for (const double x : row) last.push_back(to_rational(x));
+    }
+    return all;
+  }
+  for (const auto& row : rows.cast<std::vector<std::vector<std::string>>>()) {
+    std::vector<Rational>& last = all.emplace_back();
+    for (const std::string& x : row) last.push_back(parse_rational(x));
+  }
+  return all;
+}
+
 /// An array (n, 3) of doubles, or n lists of three texts such as "1/3".
 /// @throws Error NotFinite, naming the row; Malformed for a text that is no number.
 inline PointSet points_of(const py::object& rows) {
@@ -31,27 +48,14 @@ inline PointSet points_of(const py::object& rows) {
     return PointSet(std::move(points));
   }
   std::vector<RationalPoint> points;
-  for (const auto& row : rows.cast<std::vector<std::vector<std::string>>>()) {
-    points.emplace_back(parse_rational(row[0]), parse_rational(row[1]), parse_rational(row[2]));
-  }
+  for (const auto& row : rationals_of(rows)) points.emplace_back(row[0], row[1], row[2]);
   return PointSet(std::move(points));
 }
 
 /// Rows n1, n2, n3, d, likewise.
 inline HalfspaceList planes_of(const py::object& rows) {
   HalfspaceList list;
-  if (py::isinstance<Doubles>(rows)) {
-    const auto array = rows.cast<Doubles>().unchecked<2>();
-    for (py::ssize_t i = 0; i < array.shape(0); ++i) {
-      const Vector3<double> normal(array(i, 0), array(i, 1), array(i, 2));
-      list.add(to_rational(normal), to_rational(array(i, 3)));
-    }
-    return list;
-  }
-  for (const auto& row : rows.cast<std::vector<std::vector<std::string>>>()) {
-    list.add({parse_rational(row[0]), parse_rational(row[1]), parse_rational(row[2])},
-             parse_rational(row[3]));
-  }
+  for (const auto& row : rationals_of(rows)) list.add({row[0], row[1], row[2]}, row[3]);
   return list;
 }
 
