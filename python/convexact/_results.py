@@ -5,10 +5,11 @@ from __future__ import annotations
 import html
 import json
 import math
+from contextlib import suppress
 from dataclasses import dataclass
 from fractions import Fraction
 from functools import cached_property
-from typing import Any, Iterator, Sequence
+from typing import Any, Callable, Iterator, Sequence
 
 import numpy as np
 import numpy.typing as npt
@@ -31,8 +32,26 @@ def _nearest(rows: Sequence[Sequence[Any]]) -> Array:
     return np.array([[float(x) for x in row] for row in rows], dtype=np.float64).reshape(-1, 3)
 
 
-def _frame(page: str) -> str:
+def _frame(picture: Callable[[], str], otherwise: str) -> str:
+    """A page in a frame of a notebook."""
+    try:
+        page = picture()
+    except _core.InvalidArgument:  # of a pickle
+        return html.escape(otherwise)
     return f'<iframe srcdoc="{html.escape(page, quote=True)}" width="100%" height="480" style="border:0"></iframe>'
+
+
+def _asked(found: Any, call: str) -> Any:
+    if found is None:
+        raise _core.InvalidArgument(f"was not asked for: {call}")
+    return found
+
+
+class _Unpickled:
+    """In the place of what the library found: pickles hold the values that were asked for."""
+
+    def __getattr__(self, name: str) -> Any:
+        raise _core.InvalidArgument(f"{name} was not kept when this result was pickled")
 
 
 class _Result:
@@ -44,10 +63,14 @@ class _Result:
         self._found = found
 
     def __getstate__(self) -> dict[str, Any]:
-        return {name: getattr(self, name) for name in (*self._fields, "document")}
+        state = {}
+        for name in (*self._fields, "document"):
+            with suppress(_core.InvalidArgument):  # was not asked for
+                state[name] = getattr(self, name)
+        return state
 
     def __setstate__(self, state: dict[str, Any]) -> None:
-        self._found = None  # pickles hold values only
+        self._found = _Unpickled()
         self.__dict__.update(state)
 
     @cached_property
@@ -86,7 +109,7 @@ class _Solid(_Result):
         return planes
 
     def _repr_html_(self) -> str:
-        return _frame(self._found.picture()) if self._found else repr(self)
+        return _frame(lambda: str(self._found.picture()), repr(self))
 
     def to_trimesh(self) -> Any:
         """A trimesh.Trimesh of fans over the facets."""
@@ -110,33 +133,33 @@ class Hull(_Solid):
     _fields = ("exact_vertices", "vertices", "faces", "exact_planes", "planes", "volume", "area", "mean_width", "mass")
 
     @cached_property
-    def mass(self) -> Mass | None:
+    def mass(self) -> Mass:
         """Center of mass and tensor of inertia; of hull(..., measures=["inertia"])."""
-        found = self._found.mass()
-        if found is None:
-            return None
+        found = _asked(self._found.mass(), "hull(..., measures=['inertia'])")
         xx, yy, zz, xy, xz, yz = (Fraction(x) for x in found[1])
         return Mass(tuple(Fraction(x) for x in found[0]), [[xx, xy, xz], [xy, yy, yz], [xz, yz, zz]])
 
     @cached_property
-    def volume(self) -> Fraction | None:
+    def volume(self) -> Fraction:
         """Exactly, in cubed length units."""
-        text = self._found.volume()
-        return None if text is None else Fraction(text)
+        return Fraction(_asked(self._found.volume(), "hull(..., measures=['volume'])"))
 
     @cached_property
-    def area(self) -> tuple[float, float] | None:
+    def area(self) -> tuple[float, float]:
         """Doubles below and above the surface area."""
-        pair: tuple[float, float] | None = self._found.area()
+        pair: tuple[float, float] = _asked(self._found.area(), "hull(..., measures=['area'])")
         return pair
 
     @cached_property
-    def mean_width(self) -> tuple[float, float] | None:
-        pair: tuple[float, float] | None = self._found.mean_width()
+    def mean_width(self) -> tuple[float, float]:
+        """The same, of the mean width."""
+        pair: tuple[float, float] = _asked(self._found.mean_width(), "hull(..., measures=['mean_width'])")
         return pair
 
     def __repr__(self) -> str:
-        volume = "" if self.volume is None else f", volume {float(self.volume):.6g}"
+        volume = ""
+        with suppress(_core.InvalidArgument):
+            volume = f", volume {float(self.volume):.6g}"
         return f"<convexact.Hull: {len(self.exact_vertices)} vertices, {len(self.exact_planes)} facets{volume}>"
 
 
@@ -151,9 +174,9 @@ class Simplified(_Solid):
         return list(self._found.kept())
 
     @cached_property
-    def mesh(self) -> tuple[Array, list[list[int]]] | None:
-        """With precision=: vertices and faces in doubles or binary32 whose hull is proven to hold every point."""
-        mesh: tuple[Array, list[list[int]]] | None = self._found.stored_mesh()
+    def mesh(self) -> tuple[Array, list[list[int]]]:
+        """Vertices and faces in doubles or binary32, whose hull is proven to hold every point; of precision=64 or 32."""
+        mesh: tuple[Array, list[list[int]]] = _asked(self._found.stored_mesh(), "simplify(..., precision=64)")
         return mesh
 
     @cached_property
@@ -353,23 +376,24 @@ class Decomposition(_Result, Sequence[Part]):
         volumes: tuple[Any, Any, Any] = self._found.measures()
         return volumes
 
-    @property
-    def solid_volume(self) -> tuple[float, float] | None:
-        """Doubles below and above; with measures='uncovered' or 'all', as the next two."""
-        volume: tuple[float, float] | None = self._volumes[0]
-        return volume
+    def _volume(self, number: int) -> tuple[float, float]:
+        pair: tuple[float, float] = _asked(self._volumes[number], "decompose(..., measures='all')")
+        return pair
 
     @property
-    def uncovered(self) -> tuple[float, float] | None:
+    def solid_volume(self) -> tuple[float, float]:
+        """Doubles below and above; of measures='uncovered' or 'all', as `uncovered`."""
+        return self._volume(0)
+
+    @property
+    def uncovered(self) -> tuple[float, float]:
         """The volume of the solid that lies in no part."""
-        volume: tuple[float, float] | None = self._volumes[1]
-        return volume
+        return self._volume(1)
 
     @property
-    def excess(self) -> tuple[float, float] | None:
-        """The volume of the parts outside of the solid; with measures='all'."""
-        volume: tuple[float, float] | None = self._volumes[2]
-        return volume
+    def excess(self) -> tuple[float, float]:
+        """The volume of the parts outside of the solid; of measures='all'."""
+        return self._volume(2)
 
     @cached_property
     def summary(self) -> str:
@@ -396,4 +420,4 @@ class Decomposition(_Result, Sequence[Part]):
         return f"<convexact.Decomposition: {len(self)} parts by {self.method} hold the {self.covers}>"
 
     def _repr_html_(self) -> str:
-        return _frame(self._found.picture("decomposition")) if self._found else repr(self)
+        return _frame(lambda: str(self._found.picture("decomposition")), repr(self))

@@ -8,11 +8,12 @@ import subprocess
 import sys
 import tempfile
 from pathlib import Path
+from typing import Any
 
 HERE = Path(__file__).resolve().parent
 
 
-def main():
+def main() -> Any:
     try:
         import hypothesis  # pylint: disable=import-outside-toplevel,unused-import
         import pytest  # pylint: disable=import-outside-toplevel,unused-import
@@ -28,7 +29,7 @@ def main():
                 (package / source.name).symlink_to(source)
         (package / core.name).symlink_to(core)
         environment = {**os.environ, "PYTHONPATH": folder, "CONVEXACT_TEST_DATA": data, "PYTHONDONTWRITEBYTECODE": "1"}
-        command = [sys.executable, "-m", "pytest", "-q", "-p", "no:cacheprovider", "-p", "convexact.pytest_plugin", HERE, *sys.argv[3:]]
+        command = [sys.executable, "-m", "pytest", "-q", "-p", "no:cacheprovider", "-p", "convexact.pytest_plugin", str(HERE), *sys.argv[3:]]
         return subprocess.run(command, cwd=folder, env=environment, check=False).returncode
 
 

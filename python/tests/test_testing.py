@@ -7,6 +7,7 @@ import subprocess
 import sys
 from importlib.metadata import entry_points
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pytest
@@ -19,7 +20,7 @@ QUADS = [[0, 1, 3, 2], [4, 6, 7, 5], [0, 4, 5, 1], [2, 3, 7, 6], [0, 2, 6, 4], [
 ROOT = Path(__file__).resolve().parents[2]
 
 
-def test_assertions_say_claim_witness_and_input():
+def test_assertions_say_claim_witness_and_input() -> None:
     testing.assert_is_hull(CUBE, CUBE)
     testing.assert_encloses(CUBE, np.array(CUBE) * 3 - 1)
     testing.assert_covers((CUBE, QUADS), [(CUBE, QUADS)])
@@ -31,19 +32,19 @@ def test_assertions_say_claim_witness_and_input():
         testing.assert_covers((CUBE, QUADS), [CUBE[:4] + [[0.5, 0.5, 0.5]]])
 
 
-def run_pytest(*arguments):
+def run_pytest(*arguments: Any) -> Any:
     installed = any(point.value == "convexact.pytest_plugin" for point in entry_points(group="pytest11"))
     plugin = [] if installed else ["-p", "convexact.pytest_plugin"]
     command = [sys.executable, "-m", "pytest", "-q", "-p", "no:cacheprovider", *plugin, *arguments]
     return subprocess.run(command, capture_output=True, text=True, check=False, env=os.environ)
 
 
-def test_the_example_for_pytest_runs(tmp_path):
+def test_the_example_for_pytest_runs(tmp_path: Any) -> None:
     ran = run_pytest(ROOT / "python" / "examples" / "verify_in_pytest.py", f"--rootdir={tmp_path}")
     assert "2 passed" in ran.stdout, ran.stdout
 
 
-def test_the_plugin_keeps_what_fails(tmp_path):
+def test_the_plugin_keeps_what_fails(tmp_path: Any) -> None:
     test = tmp_path / "test_mine.py"
     test.write_text(
         f"CUBE = {CUBE}\n"
@@ -59,18 +60,18 @@ def test_the_plugin_keeps_what_fails(tmp_path):
     assert not cx.verify(kept / "test_loses_a_corner-1.obj", kept / "test_loses_a_corner-1-candidate.obj", asks="hull").ok
 
 
-def test_examples_in_docstrings():
+def test_examples_in_docstrings() -> None:
     for module, least in ((cx, 10), (cx._queries, 8)):  # pylint: disable=protected-access
         results = doctest.testmod(module)
         assert results.attempted > least and results.failed == 0
 
 
-def blocks(page):
+def blocks(page: Any) -> Any:
     return re.findall(r"```python\n(.*?)```", (ROOT / page).read_text(encoding="utf-8"), re.DOTALL)
 
 
 @pytest.mark.parametrize("number", range(len(blocks("docs/python.md"))))
-def test_blocks_of_the_manual(number, tmp_path, monkeypatch):
+def test_blocks_of_the_manual(number: Any, tmp_path: Any, monkeypatch: Any) -> None:
     block = blocks("docs/python.md")[number]
     wanted = re.findall(r"^(?:import|from) (trimesh|coacd|mujoco)\b", block, re.MULTILINE)
     for module in wanted:
