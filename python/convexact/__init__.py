@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: MIT
 """Encloses 3D shapes in few halfspaces, or few convex parts, and proves that it does.
 
-Every verdict is exact. Points go in as arrays (n, 3), as a path, as (vertices, faces), or as an object of trimesh, Open3D
-or scipy; int, Fraction and Decimal are taken exactly. The exact numbers come out beside doubles.
+Every verdict is exact. Points go in as arrays (n, 3), as a path, as (vertices, faces), or as an object of trimesh, Open3D,
+scipy, coal or manifold3d; int, Fraction and Decimal are taken exactly. The exact numbers come out beside doubles.
 
 >>> import convexact as cx
 >>> cube = [[x, y, z] for x in (0, 1) for y in (0, 1) for z in (0, 1)]
@@ -246,16 +246,21 @@ def verify_parts(
     return Verdict(_core.verify_parts(points, polygons, listed, given, _inputs.names(claims), _inputs.progress(progress)))
 
 
-def read_mesh(path: Any, *, exact: bool = False) -> tuple[Any, list[list[int]]]:
+def read_mesh(path: Any, *, exact: bool = False, triangles: bool = False) -> tuple[Any, Any]:
     """Points and faces of a file (OBJ, OFF, PLY, STL, glTF, COLLADA, point clouds).
 
-    With exact=True decimals are the fractions that they spell: an array of Fraction where these are no doubles.
+    Faces are lists of corners; with triangles=True an int32 array (m, 3), as other packages want it, in which a face of more
+    corners is a fan around its first one. With exact=True decimals are the fractions that they spell: an array of Fraction
+    where these are no doubles.
     """
     points, polygons = _inputs.mesh(path, "path", exact)
     if isinstance(points, list):
         from fractions import Fraction  # pylint: disable=import-outside-toplevel
 
         points = np.array([[Fraction(x) for x in row] for row in points], dtype=object)
+    if triangles:
+        fans = [(face[0], face[k - 1], face[k]) for face in polygons for k in range(2, len(face))]
+        return points, np.array(fans, dtype=np.int32).reshape(-1, 3)
     return points, polygons
 
 

@@ -112,12 +112,21 @@ def keep(selectors: Any, polygons: list[list[int]]) -> dict[str, Any]:
 
 
 def mesh(shape: Any, name: str, exact: bool = False) -> tuple[Rows, list[list[int]]]:
-    """Points and faces: of a path, (vertices, faces), an object of trimesh, Open3D or scipy, or an array of points."""
+    """Points and faces: of a path, (vertices, faces), an object of trimesh, Open3D, scipy, coal or manifold3d, or points."""
     if isinstance(shape, (str, os.PathLike)):
         points, polygons, _ = _core.read_mesh(os.fspath(shape), exact)
         return points, polygons
     if _is_pair(shape):
         return rows(shape[0], 3, f"{name}[0]"), faces(shape[1], f"{name}[1]")
+    if hasattr(shape, "to_mesh"):  # of manifold3d
+        shape = shape.to_mesh()
+    if hasattr(shape, "vert_properties"):
+        return rows(np.asarray(shape.vert_properties)[:, :3], 3, name), faces(np.asarray(shape.tri_verts), name)
+    for points_of, face_of, count in (("points", "polygons", "num_polygons"), ("vertices", "tri_indices", "num_tris")):  # of coal
+        if hasattr(shape, face_of) and hasattr(shape, count):
+            found = [getattr(shape, face_of)(k) for k in range(getattr(shape, count))]
+            triangles = [[face[0], face[1], face[2]] for face in found]
+            return rows(np.asarray(getattr(shape, points_of)()), 3, name), faces(triangles, name)
     for points_of, faces_of in (("vertices", "faces"), ("vertices", "triangles"), ("points", "simplices")):
         if hasattr(shape, points_of) and hasattr(shape, faces_of):
             found = getattr(shape, faces_of)

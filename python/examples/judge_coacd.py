@@ -8,7 +8,7 @@ import convexact as cx
 
 
 def main() -> int:
-    vertices, faces = cx.read_mesh(sys.argv[1])
+    vertices, faces = cx.read_mesh(sys.argv[1], triangles=True)
     parts = coacd.run_coacd(coacd.Mesh(vertices, faces), threshold=0.05)
     verdict = cx.verify_parts((vertices, faces), parts)
     print(verdict)

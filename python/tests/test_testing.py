@@ -1,10 +1,12 @@
 # SPDX-License-Identifier: MIT
 """Assertions, the plugin, and that every example of the documents runs."""
 import doctest
+import json
 import os
 import re
 import subprocess
 import sys
+import time
 from importlib.metadata import entry_points
 from pathlib import Path
 from typing import Any
@@ -80,3 +82,36 @@ def test_blocks_of_the_manual(number: Any, tmp_path: Any, monkeypatch: Any) -> N
     (tmp_path / "bin.obj").symlink_to(Path(os.environ["CONVEXACT_TEST_DATA"]) / "cases" / "bin.obj")
     monkeypatch.chdir(tmp_path)
     exec(compile(block, f"docs/python.md, block {number}", "exec"), {"__name__": "block"})  # pylint: disable=exec-used
+
+
+def test_the_notebook_runs_and_its_outputs_are_what_it_prints(monkeypatch: Any, capsys: Any) -> None:
+    cells = json.loads((ROOT / "python/examples/notebook.ipynb").read_text(encoding="utf-8"))["cells"]
+    monkeypatch.chdir(ROOT / "python/examples")
+    names: dict[str, Any] = {}
+    for cell in cells:
+        if cell["cell_type"] != "code":
+            continue
+        exec("".join(cell["source"]), names)  # pylint: disable=exec-used
+        printed = "".join("".join(output["text"]) for output in cell["outputs"] if output["output_type"] == "stream")
+        assert capsys.readouterr().out == printed
+
+
+def test_ctrl_c_in_a_notebook_ends_a_run_and_not_the_kernel() -> None:
+    manager = pytest.importorskip("jupyter_client.manager")
+    pytest.importorskip("ipykernel")
+    kernel, client = manager.start_new_kernel(env={**os.environ, "PYTHONPATH": os.pathsep.join(sys.path)})
+    try:
+        client.execute("import convexact as cx, numpy as np\npoints = np.random.default_rng(1).normal(size=(20000, 3))\n"
+                       "points /= np.linalg.norm(points, axis=1)[:, None]", reply=True, timeout=60)
+        asked = client.execute("cx.simplify(points, faces=4, engine='exact')")
+        time.sleep(1)
+        kernel.interrupt_kernel()
+        reply = client.get_shell_msg(timeout=30)
+        while reply["parent_header"]["msg_id"] != asked:
+            reply = client.get_shell_msg(timeout=30)
+        assert reply["content"]["status"] == "error" and reply["content"]["ename"] in ("Interrupted", "KeyboardInterrupt")
+        again = client.execute("assert cx.hull(points[:100], measures=()).faces", reply=True, timeout=60)
+        assert again["content"]["status"] == "ok"
+    finally:
+        client.stop_channels()
+        kernel.shutdown_kernel(now=True)
