@@ -218,7 +218,7 @@ def decompose(
     >>> cube = [[x, y, z] for x in (0, 1) for y in (0, 1) for z in (0, 1)]
     >>> quads = [[0, 1, 3, 2], [4, 6, 7, 5], [0, 4, 5, 1], [2, 3, 7, 6], [0, 2, 6, 4], [1, 5, 7, 3]]
     >>> cx.decompose((cube, quads))
-    <convexact.Decomposition: 1 parts by cut hold the solid>
+    <convexact.Decomposition: 1 part by cut holds the solid>
     """
     if measures not in ("none", "uncovered", "all"):
         raise InvalidArgument(f"measures: expected none, uncovered or all, found {measures!r}")

@@ -417,7 +417,8 @@ class Decomposition(_Result, Sequence[Part]):
         return iter(self.parts)
 
     def __repr__(self) -> str:
-        return f"<convexact.Decomposition: {len(self)} parts by {self.method} hold the {self.covers}>"
+        many = "1 part by {} holds" if len(self) == 1 else f"{len(self)} parts by {{}} hold"
+        return f"<convexact.Decomposition: {many.format(self.method)} the {self.covers}>"
 
     def _repr_html_(self) -> str:
         return _frame(lambda: str(self._found.picture("decomposition")), repr(self))

@@ -101,8 +101,9 @@ std::string picture_of(const std::vector<FoundObject<InnerResult>>& objects) {
     hull.add(result.start.points.doubles(), triangles);
   }
   return picture_html(
-      {.title = as_utf8(objects[0].source.name),
-       .caption = "The hull of the vertices that are left, inside the input's hull.",
+      {.title = as_utf8(std::filesystem::path(objects[0].source.name).filename().string()),
+       .answer = with_separators(inner.points.size()) +
+                 " vertices of the input; their hull lies in its hull",
        .layers = {std::move(inner), std::move(input), std::move(hull)}});
 }
 

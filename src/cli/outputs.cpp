@@ -13,6 +13,7 @@
 #include "pages/picture.hpp"
 #include "proof/proof.hpp"
 #include "wire/decompose_options.hpp"
+#include "wire/simplify_report.hpp"
 #include "wire/trace_json.hpp"
 
 namespace convexact::cli {
@@ -51,6 +52,17 @@ PictureLayer points_of_no_face(const PictureLayer& input) {
   return loose;
 }
 
+// Of all objects together.
+std::string growth_of(const std::vector<OutputObject>& objects) {
+  std::optional<std::array<Enclosure, 2>> sum;
+  for (const OutputObject& object : objects) {
+    if (!object.volumes) return "";
+    const auto& [before, after] = *object.volumes;
+    sum = sum ? std::array{(*sum)[0] + before, (*sum)[1] + after} : object.volumes;
+  }
+  return sum ? "; volume " + growth_percent((*sum)[0], (*sum)[1]) : "";
+}
+
 std::string picture_bytes(const std::vector<OutputObject>& objects) {
   PictureLayer input{.name = "input", .color = "#e69f00"};
   PictureLayer solids{
@@ -69,9 +81,10 @@ std::string picture_bytes(const std::vector<OutputObject>& objects) {
   Picture picture;
   picture.title = as_utf8(file_of(objects[0].source));
   if (files.size() > 1) picture.title += " and " + std::to_string(files.size() - 1) + " more";
-  picture.caption =
-      (objects.size() > 1 ? std::to_string(objects.size()) + " objects, enclosed" : "Enclosed") +
-      std::string(" in ") + std::to_string(solids.polygons.size()) + " halfspaces.";
+  picture.answer =
+      with_separators(solids.polygons.size()) + " halfspaces hold " +
+      (objects.size() > 1 ? counted(objects.size(), "object", "objects") : "every point") +
+      growth_of(objects);
   if (!input.points.empty()) {
     PictureLayer loose = points_of_no_face(input);
     const bool is_surface = !input.polygons.empty();

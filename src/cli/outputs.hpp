@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 // outputs.hpp - the files that simplify writes: all of them, complete, or none.
 #pragma once
+#include <array>
+#include <optional>
 #include <string>
 #include <utility>
 #include <variant>
@@ -106,8 +108,10 @@ struct OutputObject {
   const SceneObject& source;
   const Stored& solid;
   std::vector<std::size_t> kept = {};  ///< Planes of the solid that were to be kept.
-  const Run* run = nullptr;            ///< Set wherever a trace or a proof may be asked for.
-  const RunStart* start = nullptr;     ///< Set wherever a proof may be asked for.
+  /// The volumes of the input's hull and of the solid, where a run removed halfspaces.
+  std::optional<std::array<Enclosure, 2>> volumes = {};
+  const Run* run = nullptr;         ///< Set wherever a trace or a proof may be asked for.
+  const RunStart* start = nullptr;  ///< Set wherever a proof may be asked for.
 };
 
 /// Every output, after reading each mesh and plane file back from its bytes and testing that the
@@ -155,6 +159,7 @@ int run_on_scene(const Arguments& options, Find&& find, Answer&& answer) {
     result.redundant = to_typed_rows(std::move(result.redundant), object.source.rows);
     OutputObject& output = outputs.emplace_back(OutputObject{object.source, result.solid});
     if constexpr (requires { result.run; }) {
+      output.volumes = {result.input_volume.bounds, result.output_volume.bounds};
       for (const auto& kept : result.kept) output.kept.push_back(kept.plane);
       if (result.run) output.run = &*result.run;
       if (result.start) output.start = &*result.start;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // convexact verify: the oracle.
 #include <algorithm>
+#include <filesystem>
 #include <memory>
 #include <optional>
 
@@ -14,6 +15,7 @@
 #include "convexact/scene.hpp"
 #include "convexact/verify.hpp"
 #include "oracle/scene_verdict.hpp"
+#include "pages/verdict_picture.hpp"
 #include "scene/objects.hpp"
 #include "wire/scene_report.hpp"
 #include "wire/stdio_request.hpp"
@@ -25,7 +27,7 @@ namespace {
 constexpr const char* kVerifyFooter =
     "Examples:\n"
     "  convexact verify bunny.obj my_hull.obj --asks hull\n"
-    "  convexact verify bunny.obj my_enclosure.obj\n"
+    "  convexact verify bunny.obj my_enclosure.obj --picture where.html\n"
     "  convexact verify bunny.obj my_planes.json --max-facets 18 --json\n"
     "  convexact verify bunny.obj my_hull.stl --claims contains-input --tolerance 1e-9d\n"
     "  convexact verify room.obj proxies.obj --parts\n"
@@ -184,10 +186,27 @@ int run_verify_parts(const VerifyArguments& options) {
                   .exit = verdict.holds() ? 0 : 1});
 }
 
+std::string file_name(const std::string& path) {
+  return std::filesystem::path(path).filename().string();
+}
+
+// In one line, for a picture: the first claim that does not hold.
+std::string answer_of(const VerifyArguments& options, Asks asks, const Verdict& verdict) {
+  std::string text = file_name(options.candidate) + relation_of(asks) + file_name(options.input);
+  for (const Claim& claim : verdict.claims) {
+    if (claim.status == Status::Violated || claim.status == Status::Undecided) {
+      return text + ": " + claim.sentence;
+    }
+  }
+  return text + (verdict.holds() ? ": every claim holds" : ": not all claims hold");
+}
+
 int run_verify_candidate(const VerifyArguments& options) {
   const Promise promise = promise_of(options);
   VerifyRequest request = verify_request(options, promise);
   const Decimal decimal = meaning_of_numbers(promise, options.decimal);
+  const std::string& picture = options.of_union.picture;
+  if (!picture.empty()) require_outputs({picture}, {options.input, options.candidate});
   CommandRun run(options.global);
   const SceneObject input = run.read_one(options.input, reading_of(options, decimal), "read input");
   const Candidate candidate = read_candidate_as(options, decimal, run);
@@ -197,13 +216,21 @@ int run_verify_candidate(const VerifyArguments& options) {
   if (const auto* reason = std::get_if<NotSolid>(&outcome)) return run.end_flat(input, *reason);
   const auto& verdict = std::get<Verdict>(outcome);
   run.log().add(verdict.stages);
+  OutputFiles files;
+  if (!picture.empty()) {
+    files.emplace_back(
+        picture, picture_html(verdict_picture(input, candidate, verdict, file_name(input.name),
+                                              answer_of(options, request.asks, verdict))));
+  }
   return run.end({.json = [&] { return about(input.name, options, verdict_json(verdict)); },
                   .text =
                       [&] {
                         return options.candidate + relation_of(request.asks) + input.name + "\n" +
                                verdict_table(verdict, options.inner || options.promise.is_asked()) +
+                               (picture.empty() ? "" : "  written             " + picture + "\n") +
                                "\n";
                       },
+                  .files = std::move(files),
                   .exit = verdict.holds() ? 0 : 1});
 }
 
@@ -254,6 +281,9 @@ void require_meaning(const VerifyArguments& options, Mode mode) {
        {Order},
        "--trace judges a removal order, not parts"},
       {!of_union.empty(), {Candidate, EachPart}, of_union + " needs --union"},
+      {!options.of_union.picture.empty(),
+       {EachPart, Order},
+       "--picture shows one CANDIDATE, or a union of parts"},
       {names(options, ClaimCode::NoGaps), {Candidate, Order}, "--claims: no-gaps needs --parts"},
   };
   for (const auto& [is_given, not_in, sentence] : rules) {

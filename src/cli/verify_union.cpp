@@ -20,7 +20,6 @@ std::string UnionOptions::foreign_to_one_solid() const {
          : max_part_vertices      ? "--max-part-vertices"
          : measures.wanted        ? "--measures"
          : measures.exact_volumes ? "--exact-volumes"
-         : !picture.empty()       ? "--picture"
                                   : "";
 }
 
@@ -42,8 +41,8 @@ void add_union_options(Command& command, UnionOptions& options) {
       "with --union: the largest number of corners of a part; --max-vertices means the same there");
   add_measures_options(command, options.measures, "with --union: ");
   command.add_option("--picture", options.picture,
-                     "with --union: a page (.html) that shows the parts, and in red the pieces of "
-                     "INPUT that lie in no part");
+                     "a page (.html) that shows INPUT and CANDIDATE, or its parts, and in red the "
+                     "witness of what is violated: a point, or the pieces of INPUT in no part");
 }
 
 bool is_decomposition(const std::string& path) {

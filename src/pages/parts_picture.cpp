@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <numeric>
 #include <optional>
@@ -14,23 +13,22 @@
 #include "io/json.hpp"
 #include "number/groups.hpp"
 #include "number/text.hpp"
+#include "pages/part_colors.hpp"
+#include "wire/decompose_report.hpp"
 
 namespace convexact {
 namespace {
 
-// Distinguishable for colour-blind readers, too [OkabeIto2008]; vermilion is for uncovered pieces.
-constexpr std::array kColors = {"#56b4e9", "#e69f00", "#009e73", "#f0e442", "#0072b2", "#cc79a7"};
-constexpr std::size_t kMostSwitches = 32;  // parts with a separate switch
-constexpr std::size_t kMostApart = 64;     // parts that also move separately
+constexpr std::size_t kMostSeparate = 400;  // parts with a switch and a direction of their own
 
 PictureLayer uncovered_layer(const SurfaceCoverage& coverage) {
-  PictureLayer layer{.name = "uncovered", .color = "#d55e00"};
+  PictureLayer layer{
+      .name = "in no part", .color = kOutsideColor, .edges = true, .faces_reader = true};
   for (const UncoveredPiece& piece : coverage.uncovered) {
     if (piece.corners.size() < 3) continue;
     std::vector<Point> corners;
     for (const RationalPoint& c : piece.corners) {
-      corners.emplace_back(to_double(c[0], Rounding::Nearest), to_double(c[1], Rounding::Nearest),
-                           to_double(c[2], Rounding::Nearest));
+      corners.push_back(drawn_at(c));
     }
     std::vector<std::uint32_t> polygon(corners.size());
     std::iota(polygon.begin(), polygon.end(), 0);
@@ -151,10 +149,39 @@ std::vector<double> rays(const Decomposition& decomposition) {
   return found;
 }
 
+// The input coloured by rays; none where all have length 0 but for rounding, as with parts by cut.
+std::optional<PictureLayer> heat_layer(const Decomposition& decomposition) {
+  PictureLayer heat = input_layer(decomposition.surface, "");
+  heat.heat = rays(decomposition);
+  const double longest = *std::max_element(heat.heat.begin(), heat.heat.end());
+  const double diameter = sqrt(Enclosure(decomposition.squared_diameter(), 64)).high_double();
+  if (!(longest > 1e-9 * diameter)) return {};
+  for (double& x : heat.heat) x /= longest;
+  heat.name = fmt::format(
+      "input by rays inside the hulls: blue is 0, yellow half of red, red {:.3g} ({:.2g}% of the "
+      "diameter)",
+      longest, 100 * longest / diameter);
+  return heat;
+}
+
 Point middle(const Mesh& mesh) {
   Point sum = Point::Zero();
   for (const Point& p : mesh.points.doubles()) sum += p / static_cast<double>(mesh.points.size());
   return sum;
+}
+
+// Of a closed surface, by the divergence theorem.
+double volume_of(const Mesh& mesh) {
+  const auto points = mesh.points.doubles();
+  const Point from = middle(mesh);
+  double sum = 0;
+  for (const auto& polygon : mesh.polygons) {
+    for (std::size_t k = 2; k < polygon.size(); ++k) {
+      const Point a = points[polygon[0]] - from, b = points[polygon[k - 1]] - from;
+      sum += a.cross(b).dot(points[polygon[k]] - from);
+    }
+  }
+  return std::isfinite(sum) ? sum / 6 : 0;
 }
 
 // A part with its planes by polygon, if they are known: flat parts and files do not have them.
@@ -163,26 +190,36 @@ struct DrawnPart {
   std::span<const Halfspace> planes = {};
 };
 
+std::vector<std::size_t> colors_of(const std::vector<DrawnPart>& drawn) {
+  std::vector<const PointSet*> points;
+  for (std::size_t k = 0; k < drawn.size() && k < kMostSeparate; ++k)
+    points.push_back(&drawn[k].mesh->points);
+  return colors_by_contact(points);
+}
+
 // The parts, most of them with a separate direction away from the middle of all.
 void add_apart(const std::vector<DrawnPart>& drawn, Picture& picture) {
   Point center = Point::Zero();
   for (const DrawnPart& part : drawn) {
     center += middle(*part.mesh) / static_cast<double>(drawn.size());
   }
+  const std::vector<std::size_t> colors = colors_of(drawn);
   std::vector<PictureLayer> parts;
   for (std::size_t k = 0; k < drawn.size(); ++k) {
     const auto& [mesh, planes] = drawn[k];
-    if (k < kMostApart) {
+    if (k < kMostSeparate) {
       parts.push_back({.name = fmt::format("part {}", k),
-                       .color = kColors[k % kColors.size()],
+                       .color = part_color(colors[k]),
                        .edges = true,
-                       .right = true});
+                       .right = true,
+                       .rank = colors[k],
+                       .volume = volume_of(*mesh)});
       parts.back().away = 0.8 * (middle(*mesh) - center);
-    } else if (k == kMostApart) {
+    } else if (k == kMostSeparate) {
       parts.push_back({.name = "other parts", .color = "#bab0ac", .edges = true, .right = true});
     }
     // A part that is a segment or a point has no polygon, and is not drawn.
-    if (k < kMostApart && planes.size() == mesh->polygons.size()) {
+    if (k < kMostSeparate && planes.size() == mesh->polygons.size()) {
       parts.back().add_to_pick(mesh->points.doubles(), mesh->polygons, planes,
                                fmt::format("part {}", k));
     } else {
@@ -191,6 +228,77 @@ void add_apart(const std::vector<DrawnPart>& drawn, Picture& picture) {
   }
   std::erase_if(parts, [](const PictureLayer& layer) { return layer.polygons.empty(); });
   std::move(parts.begin(), parts.end(), std::back_inserter(picture.layers));
+}
+
+}  // namespace
+
+namespace {
+
+// The parts that a program gave, as far as they span a volume.
+void add_judged(const PartsVerdict& verdict, Picture& picture) {
+  std::vector<PointSet> corners;
+  for (const ConvexPart& hull : verdict.hulls) {
+    if (corners.size() < kMostSeparate) corners.push_back(PointSet(hull.vertices));
+  }
+  std::vector<const PointSet*> points;
+  for (const PointSet& each : corners) points.push_back(&each);
+  const std::vector<std::size_t> colors = colors_by_contact(points);
+  PictureLayer others{
+      .name = "other parts", .color = "#bab0ac", .opacity = 0.55, .edges = true, .right = true};
+  for (std::size_t k = 0; k < verdict.hulls.size(); ++k) {
+    const auto& solid = verdict.hulls[k].solid;
+    if (!solid) continue;
+    const std::string name = as_utf8(verdict.parts[k].name);
+    if (k >= kMostSeparate) {
+      others.add_to_pick(*solid, name);
+      continue;
+    }
+    PictureLayer& layer = picture.layers.emplace_back(PictureLayer{.name = name,
+                                                                   .color = part_color(colors[k]),
+                                                                   .opacity = 0.55,
+                                                                   .edges = true,
+                                                                   .right = true,
+                                                                   .rank = colors[k]});
+    layer.add_to_pick(*solid, name);
+  }
+  if (!others.polygons.empty()) picture.layers.push_back(std::move(others));
+}
+
+// Of the point of a part that is found to be farthest: within this ball there is nothing of the
+// solid.
+std::optional<PictureLayer> ball_of_reach(const PartsVerdict& verdict) {
+  const Claim& claim = verdict[ClaimCode::WithinSolid];
+  if (claim.status != Status::Violated || !claim.witness.point || !claim.witness.squared_distance) {
+    return {};
+  }
+  const Point center = drawn_at(*claim.witness.point);
+  const double radius = std::sqrt(to_double(*claim.witness.squared_distance, Rounding::Nearest));
+  PictureLayer ball{
+      .name = fmt::format("nothing of the input is in this ball, of radius {:.4g}", radius),
+      .color = kOutsideColor,
+      .opacity = 0.35,
+      .right = true,
+      .faces_reader = true};
+  ball.add_ball(center, radius);
+  return ball;
+}
+
+// What was found of the parts: what fails, or what holds.
+std::string judged_text(const PartsVerdict& verdict, std::size_t pieces) {
+  const std::string parts = counted(verdict.hulls.size(), "part", "parts");
+  const Claim& within = verdict[ClaimCode::WithinSolid];
+  if (pieces > 0) {
+    return parts + "; " + counted(pieces, "piece", "pieces") + " of the surface in none of them";
+  }
+  if (within.status == Status::Violated) return parts + "; " + within.sentence;
+  const bool is_solid = verdict[ClaimCode::CoversSolid].status == Status::Holds;
+  if (!is_solid && verdict[ClaimCode::CoversSurface].status != Status::Holds) {
+    return parts + "; no piece of the surface was found outside of them";
+  }
+  std::string text = fmt::format("{} hold{} the {}", parts, verdict.hulls.size() == 1 ? "s" : "",
+                                 is_solid ? "solid" : "surface");
+  if (within.status == Status::Holds) text += "; " + within.sentence;
+  return text;
 }
 
 }  // namespace
@@ -206,29 +314,9 @@ Picture parts_picture(const Mesh& input, const PartsVerdict& verdict, const std:
     pieces = verdict.coverage->uncovered.size();
     picture.layers.push_back(uncovered_layer(*verdict.coverage));
   }
-  const std::size_t switches = std::min(verdict.hulls.size(), kMostSwitches);
-  std::vector<PictureLayer> layers;
-  for (std::size_t k = 0; k < switches; ++k) {
-    layers.push_back({.name = as_utf8(verdict.parts[k].name),
-                      .color = kColors[k % kColors.size()],
-                      .opacity = 0.55,
-                      .edges = true,
-                      .right = true});
-  }
-  for (std::size_t k = 0; k < verdict.hulls.size(); ++k) {
-    PictureLayer& layer = layers[k % kMostSwitches];
-    if (k == kMostSwitches + k % kMostSwitches) layer.name += " and others";
-    if (const auto& solid = verdict.hulls[k].solid) {
-      layer.add_to_pick(*solid, as_utf8(verdict.parts[k].name));
-    }
-  }
-  for (PictureLayer& layer : layers) {
-    if (!layer.polygons.empty()) picture.layers.push_back(std::move(layer));
-  }
-  picture.caption = fmt::format(
-      "{} parts; {}", with_separators(verdict.hulls.size()),
-      pieces > 0 ? with_separators(pieces) + " pieces of the surface lie in none of them"
-                 : "no piece of the surface was found outside of them");
+  add_judged(verdict, picture);
+  if (auto ball = ball_of_reach(verdict)) picture.layers.push_back(std::move(*ball));
+  picture.answer = judged_text(verdict, pieces);
   return picture;
 }
 
@@ -238,23 +326,13 @@ Picture decomposition_picture(const Decomposition& decomposition, const std::str
   picture.title = as_utf8(title);
   PictureLayer steps = input_layer(surface, "input by clusters");
   add_steps(decomposition, steps);
-  PictureLayer heat = input_layer(surface, "input by rays inside the hulls");
-  heat.heat = rays(decomposition);
-  const double longest = *std::max_element(heat.heat.begin(), heat.heat.end());
-  for (double& x : heat.heat) x = longest > 0 ? x / longest : 0;
-  picture.layers = {std::move(steps), std::move(heat)};
+  picture.layers.push_back(std::move(steps));
+  if (auto heat = heat_layer(decomposition)) picture.layers.push_back(std::move(*heat));
 
   std::vector<DrawnPart> drawn;
   for (const Part& part : decomposition.parts) drawn.push_back({&part.mesh, part.halfspaces});
   add_apart(drawn, picture);
-
-  const double diameter = sqrt(Enclosure(decomposition.squared_diameter(), 64)).high_double();
-  picture.caption = fmt::format(
-      "{} parts of {} triangles. Colours by rays: from blue, 0, to red, a length of {:.3g} "
-      "({:.2g}% "
-      "of the diameter).",
-      with_separators(decomposition.parts.size()), with_separators(surface.triangles.size()),
-      longest, 100 * longest / diameter);
+  picture.answer = proven_of_parts(decomposition);
   return picture;
 }
 
@@ -263,7 +341,7 @@ std::vector<PictureLayer> tree_layers(const BuiltTree& built) {
   std::size_t node = 0;  // nodes are in the order of their levels
   for (const TreeLevel& level : built.levels) {
     PictureLayer layer{.name = fmt::format("hulls of level {}", layers.size()),
-                       .color = kColors[layers.size() % kColors.size()],
+                       .color = part_color(layers.size()),
                        .opacity = 0.3,
                        .edges = true,
                        .shown = false,
@@ -286,11 +364,10 @@ Picture tree_picture(const BuiltTree& built, const std::string& title) {
   for (PictureLayer& layer : tree_layers(built)) picture.layers.push_back(std::move(layer));
   if (built.levels.size() > 1)
     picture.layers[picture.layers.size() - built.levels.size() + 1].shown = true;
-  picture.caption = fmt::format(
-      "{} parts under a tree of {} nodes on {} levels. Each hull holds "
-      "those below it.",
-      with_separators(built.tree.parts.size()), with_separators(built.tree.nodes.size()),
-      built.levels.size());
+  picture.answer =
+      fmt::format("{} parts under a tree of {} nodes on {} levels: each hull holds those below it",
+                  with_separators(built.tree.parts.size()),
+                  with_separators(built.tree.nodes.size()), built.levels.size());
   return picture;
 }
 

@@ -26,6 +26,7 @@ constexpr std::size_t kMostTurning = 30000;    // while a page without fast grap
 constexpr std::size_t kMostStaticDots = 3000;  // of a layer, in the static drawing
 constexpr std::size_t kMostPicked = 5000;      // facets of a layer that can be picked
 constexpr std::size_t kMostNumbered = 200;     // facets of a page with a number at each
+constexpr std::size_t kMostUnsorted = 12;      // layers that need no order but their own
 
 // Maps the scene's bounding box into the cube [-1, 1]^3. The power of two keeps huge coordinates
 // from overflowing and subnormal ones from vanishing.
@@ -261,6 +262,8 @@ Json colored_json(const PictureLayer& layer, const Frame& frame) {
 Json layer_json(const PictureLayer& layer, const Frame& frame) {
   Json json = {{"color", layer.color}, {"opacity", layer.opacity}};
   if (layer.right) json["right"] = true;
+  if (layer.rank > 0) json["rank"] = layer.rank;
+  if (layer.faces_reader) json["facesReader"] = true;
   if (can_be_picked(layer)) json.update(facets_json(layer, frame));
   if (layer.has_colors() && layer.polygons.size() <= kMostDrawn) {
     json.update(colored_json(layer, frame));
@@ -361,13 +364,19 @@ std::string static_drawing(const Picture& picture, const Frame& frame) {
 }
 
 std::string list_entry(const PictureLayer& layer) {
-  std::string counts = fmt::format("{} points", layer.points.size());
-  if (!layer.polygons.empty()) counts += fmt::format(", {} faces", layer.polygons.size());
-  return fmt::format(R"(<li><label><input type="checkbox"{} hidden> )"
-                     R"(<i style="background: {}"></i> {} <small>{}</small></label></li>)"
-                     "\n",
-                     layer.shown ? " checked" : "", escaped_markup(layer.color),
-                     escaped_markup(layer.name), counts);
+  std::string counts = with_separators(layer.points.size()) + " points";
+  if (!layer.polygons.empty()) {
+    const std::string faces = with_separators(layer.polygons.size()) + " faces";
+    counts = layer.volume > 0 ? fmt::format("{}, volume {:.3g}", faces, layer.volume)
+                              : counts + ", " + faces;
+  }
+  return fmt::format(
+      R"(<li data-points="{}" data-faces="{}" data-volume="{}">)"
+      R"(<label><input type="checkbox"{} hidden> <i style="background: {}"></i> )"
+      R"({} <small>{}</small></label> <button type="button" hidden>only</button></li>)"
+      "\n",
+      layer.points.size(), layer.polygons.size(), layer.volume, layer.shown ? " checked" : "",
+      escaped_markup(layer.color), escaped_markup(layer.name), counts);
 }
 
 // The controls besides the view; viewer.js shows them.
@@ -394,6 +403,13 @@ std::string control_list(const std::vector<PictureLayer>& layers) {
   if (facets > 0 && facets <= kMostNumbered) {
     list += fmt::format(kSwitch, "numbers", "numbers of facets");
   }
+  if (layers.size() > kMostUnsorted) {
+    list += R"(<label hidden>sort by <select id="sort"><option value="">number</option>)"
+            R"(<option value="volume">volume</option><option value="faces">faces</option>)"
+            R"(<option value="points">points</option></select></label>)"
+            "\n";
+  }
+  list += fmt::format(kSlider, "cut open", "cut", 100, 0, "");
   if (right > 0 && right < layers.size()) list += fmt::format(kSwitch, "pair", "side by side");
   if (moves) list += fmt::format(kSlider, "draw parts apart", "apart", 100, 0, "");
   if (merges > 0) list += fmt::format(kSlider, "merges", "merges", merges, merges, merges);
@@ -413,8 +429,6 @@ void PictureLayer::add(std::span<const Point> more,
   }
 }
 
-namespace {
-
 Point drawn_at(const RationalPoint& vertex) {
   constexpr double kLargest = std::numeric_limits<double>::max();
   Point corner;
@@ -423,6 +437,8 @@ Point drawn_at(const RationalPoint& vertex) {
   }
   return corner;
 }
+
+namespace {
 
 std::vector<Point> drawn_corners(const Polytope& solid) {
   std::vector<Point> corners;
@@ -469,6 +485,25 @@ void PictureLayer::add_to_pick(std::span<const Point> corners,
   for (const Halfspace& plane : planes) solid.planes.push_back(plane_text(plane));
 }
 
+void PictureLayer::add_ball(const Point& center, double radius) {
+  constexpr std::uint32_t kRings = 12, kSides = 24;
+  const double pi = std::acos(-1.0);
+  std::vector<Point> places;
+  std::vector<std::vector<std::uint32_t>> quads;
+  for (std::uint32_t i = 0; i <= kRings; ++i) {
+    const double polar = pi * i / kRings;
+    for (std::uint32_t j = 0; j < kSides; ++j) {
+      const double turn = 2 * pi * j / kSides;
+      places.push_back(center + radius * Point(std::sin(polar) * std::cos(turn),
+                                               std::sin(polar) * std::sin(turn), std::cos(polar)));
+      if (i == kRings) continue;
+      const std::uint32_t next = (j + 1) % kSides, row = i * kSides;
+      quads.push_back({row + j, row + kSides + j, row + kSides + next, row + next});
+    }
+  }
+  add(places, quads);
+}
+
 void PictureLayer::add_facet(const Polytope& solid, std::size_t facet) {
   std::vector<Point> corners;
   std::vector<std::uint32_t> polygon;
@@ -488,7 +523,7 @@ std::string picture_html(const Picture& picture) {
     list += list_entry(layer);
   }
   return fill_page(kViewerPage, {{"TITLE", escaped_markup(picture.title)},
-                                 {"CAPTION", escaped_markup(picture.caption)},
+                                 {"ANSWER", escaped_markup(picture.answer)},
                                  {"LAYERS", list},
                                  {"CONTROLS", control_list(picture.layers)},
                                  {"DRAWING", static_drawing(picture, frame)},

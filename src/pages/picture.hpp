@@ -30,6 +30,13 @@ struct PictureLayer {
   bool right = false;  ///< Shown in the right pane if a reader has two, otherwise in the left one.
   std::vector<Point> points = {};  ///< Drawn as dots if there are no polygons.
   std::vector<std::vector<std::uint32_t>> polygons = {};  ///< Indices into `points`.
+  /// Layers whose faces share places, as parts that touch or overlap do: at a place of several, the
+  /// faces of the lowest rank are seen, and none flickers.
+  std::size_t rank = 0;
+  /// Of a closed surface, in cubed units; for a list that readers sort.
+  double volume = 0;
+  /// Whether the picture is first seen from the side where this layer is.
+  bool faces_reader = false;
   /// How far the layer moves, in the scene's units, when a reader draws layers apart.
   Point away = Point::Zero();
   /// By polygon, 0 to 1: its colour, from blue to red. Empty: `color`.
@@ -57,14 +64,19 @@ struct PictureLayer {
   void add_to_pick(std::span<const Point> corners,
                    const std::vector<std::vector<std::uint32_t>>& facets,
                    std::span<const Halfspace> planes, std::string solid_name);
+  /// Adds a ball, of a few hundred faces.
+  void add_ball(const Point& center, double radius);
   /// Adds one facet of it.
   void add_facet(const Polytope& solid, std::size_t facet);
 };
 
+/// The nearest doubles; the ends of their range beyond it.
+[[nodiscard]] Point drawn_at(const RationalPoint& vertex);
+
 /// The contents of a picture. Layers are drawn one after another: inner ones should come first.
 struct Picture {
-  std::string title;    ///< Plain text.
-  std::string caption;  ///< Plain text, one line.
+  std::string title;   ///< A name, plain text.
+  std::string answer;  ///< What was found, plain text, one line: it stands first.
   std::vector<PictureLayer> layers;
 };
 

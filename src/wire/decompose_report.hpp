@@ -52,6 +52,9 @@ struct DecomposedObject {
 [[nodiscard]] Json method_json(const DecomposeRequest& request);
 /// What the parts are proven to hold: "surface", or "solid", which includes it.
 [[nodiscard]] const char* covered_name(const Decomposition& decomposition);
+/// What is proven of the parts, in one sentence without a full stop: "9 parts hold the solid; no
+/// point of them is farther than 3% of the diameter (0.0776) from it".
+[[nodiscard]] std::string proven_of_parts(const Decomposition& decomposition);
 /// What ended the run.
 [[nodiscard]] const char* stop_name(const Decomposition& decomposition);
 

@@ -142,18 +142,11 @@ std::string reach_lines(const Decomposition& decomposition, std::span<const std:
   return summary_line("reach", text);
 }
 
-// What nobody else proves, in one sentence.
+// What nobody else proves.
 std::string guarantee_line(const Decomposition& decomposition) {
   if (!std::holds_alternative<Partition>(decomposition.origin)) return "";
-  const bool is_closed = decomposition.surface.is_closed;
-  std::string text =
-      fmt::format("{} hold the {}", counted(decomposition.parts.size(), "part", "parts"),
-                  is_closed ? "solid" : "surface");
-  if (decomposition.reach && decomposition.reach->farther.empty()) {
-    text += "; no point of them is farther than " +
-            length_text(decomposition.reach->squared_distance, decomposition) + " from it, proven";
-  }
-  return summary_line("result", text);
+  const bool is_within = decomposition.reach && decomposition.reach->farther.empty();
+  return summary_line("result", proven_of_parts(decomposition) + (is_within ? ", proven" : ""));
 }
 
 std::string merges_line(const Clustering& clustering) {
@@ -336,6 +329,17 @@ std::string surface_notes(const Surface& surface) {
 }
 
 }  // namespace
+
+std::string proven_of_parts(const Decomposition& decomposition) {
+  std::string text =
+      fmt::format("{} hold{} the {}", counted(decomposition.parts.size(), "part", "parts"),
+                  decomposition.parts.size() == 1 ? "s" : "", covered_name(decomposition));
+  if (decomposition.reach && decomposition.reach->farther.empty()) {
+    text += "; no point of them is farther than " +
+            length_text(decomposition.reach->squared_distance, decomposition) + " from it";
+  }
+  return text;
+}
 
 std::string summary(const Decomposition& decomposition, const DecomposeRequest& request,
                     std::span<const std::string> names) {

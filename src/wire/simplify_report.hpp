@@ -24,6 +24,8 @@ inline constexpr auto kSearchKindNames = name_table<SearchKind>({{SearchKind::No
 
 /// A few lines: what was found, how tight it is, what was verified, how far it was pushed.
 /// @param verbose  Also how steps were proven, and what rounding added.
+/// "+6.108%", certain digits only.
+[[nodiscard]] std::string growth_percent(const Enclosure& before, const Enclosure& after);
 [[nodiscard]] std::string summary(const SimplifyResult& result, bool verbose);
 /// The same of all parts of a scene together.
 [[nodiscard]] std::string summary(const SceneTotals& totals, const Gaps& gaps);

@@ -64,9 +64,7 @@ std::string certain(const Enclosure& bounds, int digits) {
 std::string growth_line(const Enclosure& before, const Enclosure& after, std::size_t steps) {
   const std::string text =
       certain(before, kSummaryDigits) + " -> " + certain(after, kSummaryDigits);
-  if (steps == 0) return text + ", unchanged";
-  const Enclosure hundred(Integer(100), kMeasureBits);
-  return text + ", +" + certain(hundred * (after - before) / before, 4) + "%";
+  return text + (steps == 0 ? ", unchanged" : ", " + growth_percent(before, after));
 }
 
 std::string verified_line(const SimplifyResult& result, bool verbose) {
@@ -205,6 +203,11 @@ std::string stored_lines(const Stored& solid, bool verbose) {
 }
 
 }  // namespace
+
+std::string growth_percent(const Enclosure& before, const Enclosure& after) {
+  const Enclosure hundred(Integer(100), kMeasureBits);
+  return "+" + certain(hundred * (after - before) / before, 4) + "%";
+}
 
 std::string summary(const SimplifyResult& result, bool verbose) {
   std::string text =

@@ -52,7 +52,7 @@ SPEED = "(async () => {" + PRELUDE + """
     speed: 1000 * frames / (performance.now() - start)};
 })()"""
 # Of what is seen after a turn: pixels covered in full, those among them that are darker than the least
-# light allows (viewer.js lights every face with 0.41 at least), and background that is enclosed.
+# light allows (shapes.js lights every face with 0.54 at least), and background that is enclosed.
 CRACKS = "(async () => {" + PRELUDE + """
   await frame(RIGHT, DOWN);
   if (AT_REST && canvas.width === 800) {  // drawn in full at once, or when the picture rests
@@ -485,7 +485,7 @@ def check_static(path):
         box = page.evaluate('(b => [b.width, b.height])(document.querySelector("#view svg").getBoundingClientRect())')
         assert min(box) > 300, box
         text = page.evaluate("document.body.innerText")
-        assert "35947 points, 69451 faces" in text and "18 halfspaces" in text, text
+        assert "35,947 points, 69,451 faces" in text and "18 halfspaces" in text, text
         page.evaluate("""(list => { list.value = 3; list.dispatchEvent(new Event("change")); })(
             document.getElementById("facet"))""")
         assert page.evaluate(TOLD).startswith("Facet 3 of enclosing solid: "), page.evaluate(TOLD)

@@ -221,7 +221,7 @@ TEST_CASE("polygons with colours of their own keep their order, and move apart")
   colored.merges = {{0, 1}, {2, 3}, {0, 2}};
   PictureLayer moved = cube(1);
   moved.away = {2, 0, -1};
-  const Picture picture{.title = "t", .caption = "c", .layers = {colored, moved}};
+  const Picture picture{.title = "t", .answer = "c", .layers = {colored, moved}};
   const std::string page = picture_html(picture);
   CHECK(page == picture_html(picture));
   const auto layers = layers_of(page);
@@ -238,10 +238,10 @@ TEST_CASE("polygons with colours of their own keep their order, and move apart")
   CHECK(has(page, R"(id="apart" min="0" max="100" value="0")"));
   CHECK(has(page, R"(id="merges" min="0" max="3" value="3")"));
   // Pages without such layers have no such controls.
-  const std::string plain = picture_html({.title = "t", .caption = "c", .layers = {cube(1)}});
+  const std::string plain = picture_html({.title = "t", .answer = "c", .layers = {cube(1)}});
   CHECK_FALSE(has(plain, R"(id="apart")"));
   colored.splits = 2;
-  const std::string with_splits = picture_html({.title = "t", .caption = "c", .layers = {colored}});
+  const std::string with_splits = picture_html({.title = "t", .answer = "c", .layers = {colored}});
   CHECK(has(with_splits, R"(id="splits" min="0" max="2" value="2")"));
   CHECK_FALSE(has(with_splits, R"(id="merges")"));
   CHECK_FALSE(has(plain, R"(id="merges")"));

@@ -24,6 +24,7 @@ function geometryOf(data) {
 // viewer's left shoulder and from above. The library's own lights take twice as long in software. Faces
 // lie a little behind edges at the same place.
 const kVertex = `
+  #include <clipping_planes_pars_vertex>
   varying vec3 place;
   varying vec3 shade;
   void main() {
@@ -32,24 +33,31 @@ const kVertex = `
     #else
       shade = vec3(1.0);
     #endif
-    vec4 seen = modelViewMatrix * vec4(position, 1.0);
-    place = seen.xyz;
-    gl_Position = projectionMatrix * seen;
+    vec4 mvPosition = modelViewMatrix * vec4(position, 1.0);
+    place = mvPosition.xyz;
+    gl_Position = projectionMatrix * mvPosition;
+    #include <clipping_planes_vertex>
   }`;
 const kFragment = `
+  #include <clipping_planes_pars_fragment>
   uniform vec3 paint;
   uniform float opacity;
   varying vec3 place;
   varying vec3 shade;
   void main() {
+    #include <clipping_planes_fragment>
     vec3 normal = normalize(cross(dFdx(place), dFdy(place)));
-    float light = 0.5 + 0.09 * normal.y + 0.6 * max(0.0, dot(normal, vec3(-0.36, 0.58, 0.73)));
+    float light = 0.62 + 0.08 * normal.y + 0.42 * max(0.0, dot(normal, vec3(-0.36, 0.58, 0.73)));
     gl_FragColor = vec4(light * paint * shade, opacity);
   }`;
+// A layer of a higher rank lies behind one of a lower rank that has the same place: by more than the grid of
+// the coordinates, 1/32767 of half the scene, moves a plane, and by less than is seen.
 function faceMaterial(layer, more) {
+  const rank = layer.rank || 0;
   return new THREE.ShaderMaterial({vertexShader: kVertex, fragmentShader: kFragment,
     uniforms: {paint: {value: new THREE.Color(layer.color)}, opacity: {value: layer.opacity}},
-    side: THREE.DoubleSide, polygonOffset: true, polygonOffsetFactor: 1, polygonOffsetUnits: 1, ...more});
+    side: THREE.DoubleSide, polygonOffset: true, polygonOffsetFactor: 1 + 0.1 * rank, polygonOffsetUnits: 1 + 600 * rank,
+    clipping: true, ...more});
 }
 
 // --- polygons with colours of their own ------------------------------------------------------------
@@ -135,8 +143,12 @@ function prismsOf(pairs, points, thickness) {
 function edgesOf(layer, points) {
   const pairs = indicesOf(layer, layer.edges);
   const prisms = prismsOf(pairs, points, pairs.length < 1000 ? 0.004 : 0.0015);
-  return more => new THREE.Mesh(prisms, new THREE.MeshBasicMaterial(
-    {color: new THREE.Color(layer.color).multiplyScalar(0.55), side: THREE.DoubleSide, ...more}));
+  return more => {
+    const edges = new THREE.Mesh(prisms, new THREE.MeshBasicMaterial(
+      {color: new THREE.Color(layer.color).multiplyScalar(0.55), side: THREE.DoubleSide, ...more}));
+    edges.userData.areEdges = true;
+    return edges;
+  };
 }
 
 // Layers that can be seen through are drawn after the others, in the order of the list: faces that
@@ -147,7 +159,7 @@ function groupOf(layer, place) {
   const group = new THREE.Group(), clear = layer.opacity < 1;
   const geometry = geometryOf(layer), turning = layer.turning ? geometryOf(layer.turning) : geometry;
   const add = (object, order) => {
-    object.renderOrder = 10 * place + order;
+    object.renderOrder = clear ? 10 * place + order : 0;
     if (object.geometry === geometry) object.userData = {geometry, turning};
     group.add(object);
   };

@@ -10,10 +10,13 @@ if (!context) return;
 // --- the scene -----------------------------------------------------------------------------------
 
 const renderer = new THREE.WebGLRenderer({canvas, context});
+// From the front to the back, so that few pixels are painted twice; the library would go by materials first.
+renderer.setOpaqueSort((a, b) => a.renderOrder - b.renderOrder || a.z - b.z);
 const scene = new THREE.Scene(), camera = new THREE.PerspectiveCamera(30, 1, 0.01, 100);
+const boxOf = document.querySelectorAll("#layers input");
 let radius = 0, radiusTogether = 0, radiusApart = 0;
 picture.layers.forEach((layer, place) => {
-  const group = shapes.groupOf(layer, place), box = document.querySelectorAll("#layers input")[place];
+  const group = shapes.groupOf(layer, place), box = boxOf[place];
   scene.add(group);
   for (const part of group.children) {
     part.geometry.computeBoundingSphere();
@@ -42,6 +45,42 @@ control("apart", share => {
   for (const group of scene.children) group.position.copy(group.userData.away).multiplyScalar(share / 100);
   radius = radiusTogether + Math.max(0, radiusApart - radiusTogether) * share / 100;
 });
+// What is nearer to the reader than this plane is cut away; it stays where it is when the picture turns.
+let cutting = null;
+control("cut", share => {
+  if (share === 0) cutting = null;
+  else cutting ||= new THREE.Plane(towardsReader().negate(), 0);
+  if (cutting) cutting.constant = radius * (1 - share / 50);
+  renderer.clippingPlanes = cutting ? [cutting] : [];
+});
+
+// One layer alone, until its button is pressed again; and the list in another order.
+const list = document.getElementById("layers"), entries = [...list.children];
+let alone = null, before = [];
+entries.forEach((entry, place) => {
+  const button = entry.querySelector("button"), boxes = scene.children.map(group => group.userData.box);
+  button.hidden = entries.length < 3;
+  button.setAttribute("aria-pressed", "false");
+  button.setAttribute("aria-label", "only " + entry.querySelector("label").innerText.trim());
+  button.onclick = () => {
+    if (alone) alone.setAttribute("aria-pressed", "false");
+    else before = boxes.map(box => box.checked);
+    alone = alone === button ? null : button;
+    alone?.setAttribute("aria-pressed", "true");
+    boxes.forEach((box, k) => box.checked = alone ? k === place : before[k]);
+    redraw();
+  };
+});
+list.classList.toggle("long", entries.length > 12);
+const sort = document.getElementById("sort");
+if (sort) {
+  sort.parentElement.hidden = false;
+  sort.onchange = () => {
+    const key = entry => sort.value ? -Number(entry.dataset[sort.value]) : 0;
+    list.append(...[...entries].sort((a, b) => key(a) - key(b)));  // stable
+  };
+}
+
 for (const [id, step] of [["merges", "merge"], ["splits", "split"]]) {
   control(id, steps => {
     document.querySelector(`#${id} + output`).textContent = steps;
@@ -75,8 +114,7 @@ function aim(pane) {
   camera.aspect = pane.width / Math.max(1, pane.height);
   const half = Math.atan(Math.tan(Math.PI * camera.fov / 360) * Math.min(1, camera.aspect));
   const distance = 1.03 * radius / Math.sin(half);
-  camera.position.set(Math.sin(-turn) * Math.cos(tilt), Math.sin(tilt), Math.cos(turn) * Math.cos(tilt))
-    .multiplyScalar(distance);
+  camera.position.copy(towardsReader()).multiplyScalar(distance);
   camera.lookAt(0, 0, 0);
   camera.near = Math.max(0.01, distance - 1.1 * radius);
   camera.far = distance + 1.1 * radius;
@@ -169,12 +207,14 @@ let turn = 0.6, tilt = 0.35, zoom = 1;  // as the static drawing sees it
 let slow = false, waiting = false, rest = 0;
 
 // At rest every layer is drawn in full, with four pixels for one of the screen. Where that takes long,
-// pixels and coarser layers of their own do while the picture moves.
+// pixels and coarser layers of their own do while the picture moves, and of many layers the faces.
+const kMostWithEdges = 100;
 function setQuality(full) {
   const ratio = full ? Math.max(2, window.devicePixelRatio) : 1;
   if (renderer.getPixelRatio() !== ratio) renderer.setPixelRatio(ratio);
   scene.traverse(part => {
     if (part.userData.geometry) part.geometry = full ? part.userData.geometry : part.userData.turning;
+    if (part.userData.areEdges) part.visible = full || picture.layers.length <= kMostWithEdges;
   });
 }
 function draw() {
@@ -203,6 +243,9 @@ function redraw() {
     draw();
   });
 }
+function towardsReader() {
+  return new THREE.Vector3(Math.sin(-turn) * Math.cos(tilt), Math.sin(tilt), Math.cos(turn) * Math.cos(tilt));
+}
 function move(right, down, factor) {
   turn += right;
   tilt = Math.max(-1.57, Math.min(1.57, tilt + down));
@@ -212,8 +255,7 @@ function move(right, down, factor) {
 
 // Only if this side cannot be seen well; at once, as nothing here moves by itself.
 function turnTo(normal) {
-  const [x, y, z] = [Math.sin(-turn) * Math.cos(tilt), Math.sin(tilt), Math.cos(turn) * Math.cos(tilt)];
-  if (normal.dot(new THREE.Vector3(x, y, z)) > 0.5) return;
+  if (normal.dot(towardsReader()) > 0.5) return;
   if (Math.hypot(normal.x, normal.z) > 0.01) turn = Math.atan2(-normal.x, normal.z);
   tilt = Math.asin(Math.max(-1, Math.min(1, normal.y)));
 }
@@ -263,6 +305,13 @@ canvas.onkeydown = event => {
   event.preventDefault();
   act();
 };
+
+// The side that is to be seen first.
+picture.layers.forEach((layer, place) => {
+  if (!layer.facesReader) return;
+  const middle = new THREE.Box3().setFromObject(scene.children[place]).getCenter(new THREE.Vector3());
+  if (middle.length() > 0.1) turnTo(middle.normalize());
+});
 
 canvas.tabIndex = 0;
 canvas.setAttribute("role", "application");  // or screen readers would keep the keys for themselves
