@@ -409,6 +409,8 @@ std::string control_list(const std::vector<PictureLayer>& layers) {
             R"(<option value="points">points</option></select></label>)"
             "\n";
   }
+  if (right > 0 && right < layers.size() && moves)
+    list += fmt::format(kSwitch, "glass", "see the input through the parts");
   list += fmt::format(kSlider, "cut open", "cut", 100, 0, "");
   if (right > 0 && right < layers.size()) list += fmt::format(kSwitch, "pair", "side by side");
   if (moves) list += fmt::format(kSlider, "draw parts apart", "apart", 100, 0, "");

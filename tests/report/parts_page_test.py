@@ -135,6 +135,13 @@ def check_cut(path):
         assert len({whole, half, page.evaluate(SIGHT)}) == 3
         page.evaluate(f"{cut}(0)")
         assert page.evaluate(SIGHT) == whole
+        # As glass, with the input in it; and as before.
+        page.evaluate('document.getElementById("glass").click()')
+        assert page.evaluate(SHOWN)[0] and page.evaluate(SIGHT) != whole
+        keep(page, "glass")
+        page.evaluate('document.getElementById("glass").click()')
+        page.evaluate('document.querySelector("#layers input").click()')
+        assert page.evaluate(SIGHT) == whole
 
     on_page(path, check)
 

@@ -201,5 +201,17 @@ function litFacet(corners, place) {
   return lit;
 }
 
-return {groupOf, litFacet};
+// Opaque faces become glass, or what they were.
+function setGlass(group, on) {
+  group.traverse(part => {
+    const material = part.material;
+    if (!material?.uniforms?.opacity || (material.transparent && !material.userData.isGlass)) return;
+    material.userData.isGlass = true;
+    material.uniforms.opacity.value = on ? 0.3 : 1;
+    material.transparent = on;
+    material.depthWrite = !on;
+  });
+}
+
+return {groupOf, litFacet, setGlass};
 })();

@@ -54,6 +54,14 @@ control("cut", share => {
   renderer.clippingPlanes = cutting ? [cutting] : [];
 });
 
+// The parts as glass, and the input in them.
+control("glass", on => {
+  for (const group of scene.children) {
+    if (!group.userData.right) group.userData.box.checked ||= on && group === scene.children[0];
+    else shapes.setGlass(group, on);
+  }
+});
+
 // One layer alone, until its button is pressed again; and the list in another order.
 const list = document.getElementById("layers"), entries = [...list.children];
 let alone = null, before = [];
@@ -306,6 +314,23 @@ canvas.onkeydown = event => {
   act();
 };
 
+// A long body is seen from its side; what fills less than the window is brought nearer.
+const extent = new THREE.Box3().setFromObject(scene).getSize(new THREE.Vector3());
+if (extent.z > 1.2 * extent.x) turn += Math.PI / 2;
+function fillWindow() {
+  aim({width: view.clientWidth, height: view.clientHeight});
+  let most = 0.5;  // no closer than twice
+  const place = new THREE.Vector3();
+  scene.children.filter(group => group.visible).forEach(group => group.traverse(part => {
+    const points = part.geometry?.attributes.position, step = Math.ceil((points?.count || 1) / 2000);
+    for (let k = 0; points && k < points.count; k += step) {
+      place.fromBufferAttribute(points, k).project(camera);
+      most = Math.max(most, Math.abs(place.x), Math.abs(place.y));
+    }
+  }));
+  zoom *= 0.95 / most;
+}
+
 // The side that is to be seen first.
 picture.layers.forEach((layer, place) => {
   if (!layer.facesReader) return;
@@ -321,6 +346,7 @@ document.getElementById("how").hidden = false;
 document.getElementById("how-to-pick").hidden = picture.facets.length === 0;
 view.className = "live";
 view.append(canvas);
+fillWindow();
 new ResizeObserver(() => {
   renderer.setSize(view.clientWidth, view.clientHeight);
   drawAtRest();
