@@ -326,6 +326,7 @@ Picture decomposition_picture(const Decomposition& decomposition, const std::str
   picture.title = as_utf8(title);
   PictureLayer steps = input_layer(surface, "input by clusters");
   add_steps(decomposition, steps);
+  picture.layers.push_back(input_layer(surface, "input"));
   picture.layers.push_back(std::move(steps));
   if (auto heat = heat_layer(decomposition)) picture.layers.push_back(std::move(*heat));
 

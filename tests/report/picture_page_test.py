@@ -250,11 +250,11 @@ def check_decomposition(path, control, fewer):
 
         look("parts", "0")
         look("parts_apart", slide("apart", 80))
-        look("clusters", slide("apart", 0) + show(0))
+        look("clusters", slide("apart", 0) + show(1))
         before = int(page.evaluate(f'document.getElementById("{control}").max')) - fewer
         look("clusters_before", slide(control, before))
         assert page.evaluate(f'document.querySelector("#{control} + output").textContent') == str(before)
-        look("rays", show(1))
+        look("rays", show(2))
         assert len(set(sights)) == len(sights), sights
         assert page.evaluate('document.getElementById("apart").labels[0].innerText.trim()') == "draw parts apart"
         assert not page.complaints, page.complaints
