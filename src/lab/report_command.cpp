@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // convexact report: error against run time, as data and as a page of plots.
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <filesystem>
 #include <memory>
@@ -127,7 +128,14 @@ int run_report(const ReportArguments& options) {
   request.effort.seed = options.global.seed;
   request.effort.stop = &interrupted();
   Progress progress;
-  request.effort.progress = [&](const std::string& what) { progress(what, 0, 0); };
+  // Into a pipe or a file a line for each step, since the whole takes minutes.
+  const bool is_terminal = isatty(STDERR_FILENO) != 0;
+  std::string last;
+  request.effort.progress = [&](const std::string& what) {
+    progress(what, 0, 0);
+    if (!is_terminal && what != last) fmt::print(stderr, "{}\n", what);
+    last = what;
+  };
   std::vector<SceneObject> scene = read_scene(options.inputs, options.scene);
   ReportData report;
   for (const SceneObject& object : scene) {

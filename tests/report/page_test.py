@@ -92,9 +92,45 @@ def check_plots(page, report):
     return len(plots)
 
 
+# Of each plot: the names beside its marks with their boxes, the middles of the marks, the kind, and the ticks of x.
+DRAWN = """[...document.querySelectorAll("canvas")].map(canvas => {
+  const chart = Chart.getChart(canvas), box = chart.chartArea;
+  return {id: canvas.id, names: chart.named, marks: chart.marks, kind: chart.config.type, area: [box.left, box.top, box.right, box.bottom],
+    wanted: chart.data.datasets.filter(set => set.named).reduce((sum, set) => sum + set.data.length, 0),
+    ticks: chart.scales.x.type === "linear" ? chart.scales.x.ticks.map(tick => String(tick.label)) : []};
+})"""
+
+
+def check_looks(page, is_wide):
+    """Names lie on no mark and on no other name, and nearly none is left out; ticks are round; no bars on a scale
+    without a zero; the page begins with what was found."""
+    named = wanted = 0
+    for plot in page.evaluate(DRAWN):
+        assert plot["kind"] != "bar", plot["id"]
+        boxes = [name["box"] for name in plot["names"]]
+        for k, (left, top, right, bottom) in enumerate(boxes):
+            assert plot["area"][0] <= left < right <= plot["area"][2] and plot["area"][1] <= top < bottom <= plot["area"][3], plot["id"]
+            for other in boxes[:k]:
+                assert not (left < other[2] and other[0] < right and top < other[3] and other[1] < bottom), (plot["id"], plot["names"])
+            for x, y in plot["marks"]:
+                assert not (left < x + 4 and x - 4 < right and top < y + 4 and y - 4 < bottom), (plot["id"], plot["names"][k])
+        named, wanted = named + len(boxes), wanted + plot["wanted"]
+        for label in plot["ticks"]:
+            number = re.match(r"[\d.]+", label)
+            assert number is None or len(number[0].replace(".", "").strip("0")) <= 2, (plot["id"], plot["ticks"])
+    assert not is_wide or named >= 0.9 * wanted > 0, (named, wanted)
+    first = page.evaluate('document.getElementById("conclusions").innerText')
+    assert 1 <= len(re.findall(r"[.] |[.]$", first)) <= 3, first
+    text = page.evaluate("document.body.innerText")
+    assert "0% larger" not in text.replace("00% larger", "").replace("10% larger", ""), "equal is said as equal"
+    exponents = re.findall(r"size\^\S+ \((\S+) to (\S+)\)", text)
+    assert all(float(high) - float(low) <= 0.61 for low, high in exponents), exponents
+
+
 def check_page(url, report, **how):
     page = chromium.Page(url, **how)
     try:
+        check_looks(page, "width" not in how)
         plots, cells = check_plots(page, report), check_numbers(page, report)
         wide = page.evaluate("document.documentElement.scrollWidth > innerWidth + 1")
         assert not wide, "the page is wider than the window"

@@ -6,6 +6,7 @@ const kExact = 4096;  // where a plot of correct bits shows what has no error at
 const kQuantities = [
   ["cost_worst", "costs, worst"], ["cost_median", "costs, median"], ["volume", "volume"],
   ["planes", "plane coordinates"], ["outside", "points outside"]];
+const kWidestLaw = 0.3;  // an exponent that is known to 0.3
 const kRuns = ["float", "filtered", "exact", "everything"];
 
 // --- numbers and elements -----------------------------------------------------------------------
@@ -87,27 +88,54 @@ const whiskers = {
   }
 };
 
-// Names beside the points of a dataset that asks for it.
+// Names beside the points of a dataset that asks for it: each in the first of these places that no mark and no
+// other name has; where there is none, farther off, with a line that leads there. Boxes are [left, top, right,
+// bottom].
+const kPlaces = [[1, -1], [1, 1], [-1, -1], [-1, 1], [0, -1], [0, 1], [1, 0], [-1, 0]];
+const meet = (a, b) => a[0] < b[2] && b[0] < a[2] && a[1] < b[3] && b[1] < a[3];
+const around = mark => [mark.x - 7, mark.y - 7, mark.x + 7, mark.y + 7];
+function placeOf(mark, width, taken, area) {
+  for (const away of [9, 16, 26, 40, 60, 84]) {
+    for (const [right, down] of kPlaces) {
+      const x = mark.x + right * away - (right < 0 ? width : right === 0 ? width / 2 : 0), y = mark.y + down * away - 7;
+      const box = [x - 1, y, x + width + 1, y + 14];
+      const isInside = box[0] >= area.left && box[2] <= area.right && box[1] >= area.top && box[3] <= area.bottom;
+      if (isInside && !taken.some(other => meet(box, other))) return {box, far: away > 9};
+    }
+  }
+  return null;
+}
 const names = {
   id: "names",
   afterDatasetsDraw(chart) {
-    const {ctx, chartArea: area} = chart;
-    chart.data.datasets.forEach((set, index) => {
-      if (!set.named || !chart.isDatasetVisible(index)) return;
-      ctx.save();
-      ctx.fillStyle = colour("ink");
-      ctx.font = "12px system-ui, DejaVu Sans, sans-serif";
-      ctx.textBaseline = "middle";
-      const taken = [];
-      chart.getDatasetMeta(index).data.forEach((mark, i) => {
-        if (taken.some(t => Math.abs(t.x - mark.x) < 60 && Math.abs(t.y - mark.y) < 14)) return;
-        taken.push(mark);
-        const left = mark.x > area.right - 80;
-        ctx.textAlign = left ? "right" : "left";
-        ctx.fillText(set.data[i].name, mark.x + (left ? -9 : 9), mark.y - 8);
+    const {ctx, chartArea: area} = chart, visible = chart.data.datasets.map((set, k) => [set, k]).filter(([, k]) => chart.isDatasetVisible(k));
+    const marks = visible.filter(([set]) => !set.line).flatMap(([, k]) => chart.getDatasetMeta(k).data).filter(mark => Number.isFinite(mark.x));
+    const taken = marks.map(around);
+    chart.named = [];  // for whoever asks where they are
+    ctx.save();
+    ctx.fillStyle = colour("ink");
+    ctx.strokeStyle = colour("quiet");
+    ctx.font = "12px system-ui, DejaVu Sans, sans-serif";
+    ctx.textBaseline = "middle";
+    ctx.textAlign = "left";
+    for (const [set, k] of visible.filter(([set]) => set.named)) {
+      chart.getDatasetMeta(k).data.forEach((mark, i) => {
+        const name = set.data[i].name, place = placeOf(mark, ctx.measureText(name).width, taken, area);
+        if (!place) return;  // the table below has all
+        taken.push(place.box);
+        chart.named.push({name, box: place.box});
+        const middle = (place.box[1] + place.box[3]) / 2;
+        ctx.fillText(name, place.box[0] + 1, middle);
+        if (!place.far) return;
+        ctx.beginPath();
+        ctx.moveTo(mark.x, mark.y);
+        ctx.lineTo(mark.x < place.box[0] ? place.box[0] : mark.x > place.box[2] ? place.box[2] : mark.x,
+          mark.y < place.box[1] ? place.box[1] : mark.y > place.box[3] ? place.box[3] : middle);
+        ctx.stroke();
       });
-      ctx.restore();
-    });
+    }
+    ctx.restore();
+    chart.marks = marks.map(({x, y}) => [x, y]);
   }
 };
 
@@ -115,6 +143,11 @@ const powerTick = x => {
   const power = Math.log10(x);
   return Math.abs(power - Math.round(power)) < 1e-9 ? (x >= 0.001 && x <= 10000 ? String(Number(x.toPrecision(1))) : `1e${Math.round(power)}`) : "";
 };
+// The least of 1, 1.5, 2, 3, 4, 5, 6, 8 times a power of ten that is not below.
+function roundAbove(x) {
+  const power = 10 ** Math.floor(Math.log10(x));
+  return power * [1, 1.5, 2, 3, 4, 5, 6, 8, 10].find(k => k * power >= 0.9999999 * x);
+}
 const secondsTick = x => powerTick(x) === "" ? "" : seconds(x);
 const countTick = x => [1, 2, 5].includes(Number((x / 10 ** Math.floor(Math.log10(x))).toPrecision(6))) ? String(x) : "";
 const kBitTicks = [1, 2, 4, 8, 16, 24, 53, 113, 256, 1024, kExact];
@@ -226,13 +259,18 @@ function precisionFigure(parent, input, base) {
   });
 }
 
+function excessText(excess) {
+  if (Math.abs(excess) < 1e-12) return "its result is equal to that of exact in volume, to 12 digits";
+  return `its result is ${text(Math.abs(excess) * 100)}% ${excess > 0 ? "larger" : "smaller"} than that of exact`;
+}
+
 // What every way did to the order, in words.
 function orderSummary(input) {
   const list = element("ul");
   for (const way of input.precision.ways) {
     let words = "removes what exact removes, step by step";
     if (!way.seconds) words = "took longer than the budget";
-    else if (way.first_wrong) words = `first removes a halfspace that is not the cheapest in step ${way.first_wrong.step + 1}, with a regret of ${text(way.first_wrong.regret)}; its result is ${text(way.excess * 100)}% larger than that of exact`;
+    else if (way.first_wrong) words = `first removes a halfspace that is not the cheapest in step ${way.first_wrong.step + 1}, with a regret of ${text(way.first_wrong.regret)}; ${excessText(way.excess)}`;
     else if (way.first_other !== null) words = `chooses among equal costs differently from step ${way.first_other + 1} on; each choice is one of the cheapest`;
     if (way.seconds && way.left > data.request.faces) words += `; ends with ${way.left} halfspaces, because every further removal is unbounded or uncertain`;
     if (way.agrees_with_c !== undefined) words += `; ${way.agrees_with_c ? "agrees bit for bit" : "DOES NOT AGREE"} with the same loop in C's ${way.bits === 24 ? "float" : "double"}`;
@@ -271,7 +309,7 @@ function tightnessFigures(parent, input, base) {
       type: "scatter",
       data: {datasets: [series(growth, 0, points.flatMap((point, i) => mark(i, point.seconds.median, point.growth,
         {name: String(point.faces), spread: {axis: "x", ...point.seconds}, pointer: `${p}/${i}/growth`})), {named: true, showLine: true})]},
-      options: options({x: axis("time since the dual hull was complete", {type: "linear", min: 0, max: 1.02 * Math.max(...points.map(point => point.seconds.most)), ticks: {callback: x => x === 0 ? "0" : seconds(x), maxTicksLimit: 6}}), y: axis(growth)}, m => lines(m.point))
+      options: options({x: axis("time since the dual hull was complete", {type: "linear", min: 0, max: roundAbove(Math.max(...points.map(point => point.seconds.most))), ticks: {callback: x => x === 0 ? "0" : seconds(x), maxTicksLimit: 6}}), y: axis(growth)}, m => lines(m.point))
     })
   });
 }
@@ -322,19 +360,21 @@ function stagesFigure(parent, input, base) {
       : [stage.name, ...spreadHeads.map(() => wordsCell("")), wordsCell(stage.skipped)])]));
   figure(parent, {
     title: `Time by stage: ${input.name}`, short: "Time by stage",
-    how: `A bar for each stage of each run, on a logarithmic scale; a stage without a bar was skipped. ${saved(runs)}`,
+    how: `A mark for each stage of each run, from left to right on a logarithmic scale; a stage without a mark was skipped. ${saved(runs)}`,
     made: commands, wide: true, tables,
     configure: () => ({
-      type: "bar",
-      data: {labels: stageNames, datasets: runs.map((run, r) => ({
-        ...series(run.run, kRuns.indexOf(run.run), stageNames.map((name, n) => {
-          const i = find(run, name);
-          const time = i < 0 ? null : run.stages[i].seconds;
-          return time ? {x: Math.max(time.median, 1e-6), y: n, stage: name, time, spread: {axis: "x", least: Math.max(time.least, 1e-6), most: time.most},
-            pointer: `${base}/stages/runs/${r}/stages/${i}/seconds/median`} : {x: null, y: n};
-        })), borderWidth: 0, borderColor: colour("ink"), barPercentage: 0.9, categoryPercentage: 0.8}))},
-      options: {...options({x: secondsAxis("time", runs.flatMap(run => run.stages.map(stage => stage.seconds)).filter(s => s && s.median > 0).map(s => ({least: 1.3e-6, most: s.most}))), y: {ticks: {color: colour("ink")}, grid: {color: colour("line")}}},
-        (m, set) => [`${set.label}: ${m.stage}`, spread(m.time)]), indexAxis: "y"}
+      type: "scatter",
+      data: {datasets: runs.map((run, r) => series(run.run, kRuns.indexOf(run.run), stageNames.flatMap((name, n) => {
+        const i = find(run, name), time = i < 0 ? null : run.stages[i].seconds;
+        return time ? [{x: Math.max(time.median, 1e-6), y: n + 0.16 * (r - (runs.length - 1) / 2), stage: name, time,
+          spread: {axis: "x", least: Math.max(time.least, 1e-6), most: Math.max(time.most, 1e-6)},
+          pointer: `${base}/stages/runs/${r}/stages/${i}/seconds/median`}] : [];
+      }), {showLine: false}))},
+      options: options({x: secondsAxis("time", runs.flatMap(run => run.stages.map(stage => stage.seconds)).filter(s => s && s.median > 0).map(s => ({least: 1.3e-6, most: s.most}))),
+        y: {type: "linear", reverse: true, min: -0.5, max: stageNames.length - 0.5, grid: {color: colour("line")},
+          afterBuildTicks: scale => { scale.ticks = stageNames.map((name, value) => ({value})); },
+          ticks: {color: colour("ink"), autoSkip: false, callback: n => stageNames[n]}}},
+        (m, set) => [`${set.label}: ${m.stage}`, spread(m.time)])
     })
   });
 }
@@ -346,10 +386,13 @@ function saved(runs) {
 }
 
 function scalingFigure(parent, title, {series: list, commands}, base) {
-  const law = s => s.law ? `: size^${s.law.exponent.toFixed(2)} ± ${s.law.standard_error.toFixed(2)}` : "";
+  // Without a line where twice its standard error is more than kWidestLaw to either side: then it says nothing.
+  const isLaw = s => s.law && 2 * s.law.standard_error <= kWidestLaw;
+  const law = s => isLaw(s) ? `: size^${s.law.exponent.toFixed(2)} (${[-2, 2].map(k => (s.law.exponent + k * s.law.standard_error).toFixed(2)).join(" to ")})`
+    : s.law ? ": no power of the size" : "";
   const label = s => `${s.run === "hull" ? "hull, by points" : `removals, ${s.run}, by halfspaces`}${law(s)}`;
   figure(parent, {
-    title, short: "Time by size", wide: true, how: "Both axes are logarithmic, so a straight line is a power of the size; the legend has its exponent, fitted to the least times, with its standard error.",
+    title, short: "Time by size", wide: true, how: "Both axes are logarithmic, so a straight line is a power of the size; the legend has its exponent, fitted to the least times, with twice its standard error to either side; where that is over 0.3, it has none.",
     made: commands,
     tables: [
       ...list.map((s, k) => table(`${label(s)}`, [s.counts, ...spreadHeads], s.points.map((point, i) => [point.size, ...spreadCells(`${base}/series/${k}/points/${i}/seconds`)]))),
@@ -360,7 +403,7 @@ function scalingFigure(parent, title, {series: list, commands}, base) {
       data: {datasets: list.flatMap((s, k) => {
         const marks = s.points.filter(point => point.seconds.median > 0).map(point => ({x: point.size, y: point.seconds.median, size: point.size, time: point.seconds,
           spread: {axis: "y", ...point.seconds}, pointer: `${base}/series/${k}/points/${s.points.indexOf(point)}/seconds/median`}));
-        const fitted = s.law ? [series(`${label(s)} (line)`, k, marks.map(m => ({x: m.x, y: s.law.factor * m.x ** s.law.exponent})),
+        const fitted = isLaw(s) ? [series(`${label(s)} (line)`, k, marks.map(m => ({x: m.x, y: s.law.factor * m.x ** s.law.exponent})),
           {showLine: true, pointRadius: 0, pointHitRadius: 0, borderDash: [5, 4], bare: true, line: true})] : [];
         return [series(label(s), k, marks, {showLine: false}), ...fitted];
       })},
@@ -437,9 +480,36 @@ function contents() {
   }
 }
 
+// What a reader wants to know first, as far as it was measured: at most three sentences.
+function conclusions() {
+  const said = [];
+  for (const input of data.inputs) {
+    const way = name => input.precision?.ways.find(each => each.way === name && each.seconds);
+    const [exact, filtered, float] = ["exact", "filtered", "float"].map(way);
+    if (exact && filtered) {
+      const times = exact.seconds.median / filtered.seconds.median;
+      said.push(`${input.name}: the filtered engine removes what the exact one removes, in ${seconds(filtered.seconds.median)} instead of ${seconds(exact.seconds.median)}${times > 1.05 ? `, ${text(Number(times.toPrecision(2)))} times faster` : ""}.`);
+    }
+    if (float) {
+      said.push(`Doubles take ${seconds(float.seconds.median)}; ${float.first_wrong ? `in step ${float.first_wrong.step + 1} they remove a halfspace that is not the cheapest, and ${excessText(float.excess).replace("its", "their")}` : "each of their removals is one of the cheapest"}.`);
+    }
+    const few = input.tightness?.points.filter(each => each.faces <= 18) ?? [];
+    const point = few.reduce((most, each) => most && most.faces > each.faces ? most : each, null);
+    if (point) said.push(`${point.faces} halfspaces add ${text(100 * point.growth)}% of the ${input.tightness.measure.replace("-", " ")} of the hull.`);
+    const parts = input.parts?.points.filter(each => each.seconds && each.method === "cut" && each.distance !== null);
+    if (parts?.length) {
+      const last = parts.reduce((best, each) => each.distance < best.distance ? each : best);
+      said.push(`${last.parts} parts by cut are within ${text(100 * last.distance)}% of the diameter of ${input.name}, in ${seconds(last.seconds.median)}.`);
+    }
+    if (said.length) break;
+  }
+  return said.slice(0, 3).join(" ");
+}
+
 function build() {
   document.getElementById("origin").textContent = `${data.origin.version}, commit ${data.origin.commit}. Measured on ${machine()}. ` +
     `Runs end at ${data.request.faces} halfspaces; up to ${data.request.repetitions} repetitions within ${data.request.budget} s each; marks are medians, whiskers reach from the least to the most.`;
+  document.getElementById("conclusions").textContent = conclusions();
   data.inputs.forEach((input, i) => {
     const base = `/inputs/${i}`;
     const part = section(input.name, [element("p", {}, `${input.points ? `${input.points} points; ` : ""}${input.hull_vertices} hull vertices, ${input.halfspaces} halfspaces.`)]);
