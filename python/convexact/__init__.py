@@ -21,12 +21,12 @@ import numpy as np
 from . import _core, _inputs
 from ._core import ConvexactError, Interrupted, InvalidArgument, MalformedInput, NotSolid, Unreadable, Unrepresentable
 from ._queries import ImplicitPoints, Overlap, RayHit, Tree, TreeHit, bvh, false_positives, implicit, overlap, ray, read_tree
-from ._results import Claim, Decomposition, Hull, Inner, Mass, Part, Scene, Simplified, Verdict, Violated
+from ._results import Claim, Decomposition, Hull, Inner, Mass, Part, Scene, Simplified, Verdict, Violated, Witness
 
 __all__ = [
     "Claim", "Conformance", "ConvexactError", "Decomposition", "Failure", "Hull", "ImplicitPoints", "Inner", "Interrupted",
     "InvalidArgument", "MalformedInput", "Mass", "NotSolid", "Overlap", "Part", "RayHit", "Scene", "Simplified", "Tree", "TreeHit",
-    "Unreadable", "Unrepresentable", "Verdict", "Violated", "bvh", "conform", "decompose", "false_positives", "families", "generate",
+    "Unreadable", "Unrepresentable", "Verdict", "Violated", "Witness", "bvh", "conform", "decompose", "false_positives", "families", "generate",
     "hull", "implicit", "inner", "overlap", "ray", "read_mesh", "read_tree", "shrink", "simplify", "simplify_scene", "verify",
     "verify_parts",
 ]

@@ -28,6 +28,10 @@ def _fractions(rows: Sequence[Sequence[str]]) -> list[tuple[Fraction, ...]]:
     return [tuple(Fraction(x) for x in row) for row in rows]
 
 
+def _place(texts: Sequence[str] | None) -> tuple[Fraction, ...] | None:
+    return None if texts is None else tuple(Fraction(x) for x in texts)
+
+
 def _nearest(rows: Sequence[Sequence[Any]]) -> Array:
     return np.array([[float(x) for x in row] for row in rows], dtype=np.float64).reshape(-1, 3)
 
@@ -272,6 +276,16 @@ class Inner(_Result):
 
 
 @dataclass(frozen=True)
+class Witness:
+    """Where a claim is violated, as far as that is a place."""
+
+    place: tuple[Fraction, ...] | None  # of a point or corner
+    nearest: tuple[Fraction, ...] | None  # of the candidate, to `place`
+    plane: tuple[int, ...] | None  # n1, n2, n3, d, that `place` is beyond
+    parts: list[int]  # of a decomposition
+
+
+@dataclass(frozen=True)
 class Claim:
     """One claim and what was found."""
 
@@ -280,6 +294,7 @@ class Claim:
     sentence: str
     squared_distance: Fraction | None  # of the witness
     point: int | None  # of the input, that is the witness
+    witness: Witness
 
     @property
     def holds(self) -> bool:
@@ -302,10 +317,11 @@ class Verdict(_Result):
     @cached_property
     def claims(self) -> dict[str, Claim]:
         """By name, those that were asked."""
-        return {
-            name: Claim(name, status, sentence, None if squared is None else Fraction(squared), point)
-            for name, status, sentence, squared, point in self._found.claims()
-        }
+        claims = {}
+        for name, status, sentence, squared, point, place, nearest, plane, parts in self._found.claims():
+            witness = Witness(_place(place), _place(nearest), None if plane is None else tuple(int(x) for x in plane), parts)
+            claims[name] = Claim(name, status, sentence, None if squared is None else Fraction(squared), point, witness)
+        return claims
 
     @property
     def violated(self) -> list[Claim]:

@@ -59,16 +59,20 @@ JudgedParts judge_parts(const Mesh& input, const std::vector<NamedPart>& parts, 
   })};
 }
 
-// name, status, sentence, squared distance of the witness, its point in the input.
-using ClaimTuple = std::tuple<std::string, std::string, std::string, std::optional<std::string>,
-                              std::optional<std::size_t>>;
-
-std::vector<ClaimTuple> claims_of(const std::vector<Claim>& claims) {
-  std::vector<ClaimTuple> tuples;
+// name, status, sentence, and of the witness: squared distance, point of the input, place, nearest
+// place of the candidate, plane, parts.
+py::list claims_of(const std::vector<Claim>& claims) {
+  py::list tuples;
+  const auto text_at = [](const auto& value) {
+    return value ? std::optional(text_of(*value)) : std::nullopt;
+  };
   for (const Claim& claim : claims) {
     if (claim.status == Status::NotAsked) continue;
-    tuples.emplace_back(name_of(claim.code), name_of(claim.status), claim.sentence,
-                        text_if(claim.witness.squared_distance), claim.witness.input_point);
+    const Witness& witness = claim.witness;
+    tuples.append(py::make_tuple(name_of(claim.code), name_of(claim.status), claim.sentence,
+                                 text_if(witness.squared_distance), witness.input_point,
+                                 text_at(witness.point), text_at(witness.nearest),
+                                 text_at(witness.plane), witness.parts));
   }
   return tuples;
 }

@@ -265,6 +265,8 @@ WRONG = [
     (lambda: cx.decompose(CUBE), cx.ConvexactError, "face"),
     (lambda: cx.decompose((CUBE, QUADS), distance="far"), cx.InvalidArgument, "distance"),
     (lambda: cx.decompose((CUBE, QUADS), measures="some"), cx.InvalidArgument, "some"),
+    (lambda: cx.conform(lambda points: None, only=["cube"]), cx.InvalidArgument, "candidate: expected an array"),
+    (lambda: cx.conform(lambda points: "a hull", only=["cube"]), cx.Unreadable, "a hull"),
     (lambda: cx.generate("sphinx"), cx.InvalidArgument, "sphinx"),
     (lambda: cx.hull(CUBE, progress=3), cx.InvalidArgument, "callable"),
 ]
