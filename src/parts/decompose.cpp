@@ -68,7 +68,10 @@ void require_sensible(const DecomposeRequest& request) {
       refuse_request("the engine float applies to hacd only: cut prefers planes in doubles always");
     }
   } else if (request.max_excess || request.disjoint || request.effort != plain.effort) {
-    refuse_request("an effort, an excess allowed, and disjoint parts, apply to cut only");
+    refuse_request(
+        "an effort, an excess allowed, and disjoint parts, apply to cut only, which closed "
+        "surfaces "
+        "get by themselves: name --method cut");
   }
   if (request.max_excess && *request.max_excess < 0) {
     refuse_request("the excess allowed is at least 0");

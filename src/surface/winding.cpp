@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Winding numbers: from a ray upwards, which starts at the point after an infinitesimal shift.
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -59,6 +60,12 @@ struct Shift {
 // the same height, 0, so that the tree is halved along x and y.
 void flatten(NearBox& box) { box.low[2] = box.high[2] = 0; }
 
+double scale_of(const PointSet& points) {
+  double largest = 0;
+  for (const Point& p : points.doubles()) largest = std::max(largest, p.cwiseAbs().maxCoeff());
+  return std::ldexp(1.0, std::clamp(-exponent_of(largest), -1000, 1000));
+}
+
 std::vector<NearBox> boxes_of(const Surface& surface) {
   std::vector<NearBox> boxes;
   for (const Triangle& triangle : surface.triangles) {
@@ -72,7 +79,8 @@ std::vector<NearBox> boxes_of(const Surface& surface) {
 
 class Winding::Search {
  public:
-  explicit Search(const Surface& surface) : surface_(surface), tree_(boxes_of(surface)) {
+  explicit Search(const Surface& surface)
+      : surface_(surface), tree_(boxes_of(surface)), scale_(scale_of(surface.points)) {
     const PlaneView from_above(surface.points, 2);
     for (const auto& [a, b, c] : surface.triangles) up_.push_back(from_above.turn(a, b, c));
   }
@@ -172,8 +180,9 @@ class Winding::Search {
   Sign turn(PointId a, PointId b, const Query& query, int axis) const {
     const int u = (axis + 1) % 3, v = (axis + 2) % 3;
     if (surface_.points.is_binary()) {
-      const Point &p = surface_.points.doubles()[a.index()],
-                  &q = surface_.points.doubles()[b.index()], &x = query.near;
+      const Point &from = surface_.points.doubles()[a.index()],
+                  &to = surface_.points.doubles()[b.index()];
+      const Point p = scale_ * from, q = scale_ * to, x = scale_ * query.near;
       // Differences to x are off by a relative 2^-53 of themselves and by half a unit of x; the
       // other roundings are as in PlaneView::turn(). 2^-50 covers all of them.
       const bool is_exact = query.is_double[u] && query.is_double[v];
@@ -191,16 +200,17 @@ class Winding::Search {
       if (std::abs(value) > error) return sign_of(value);
       // Edges along an axis through x, as boxes have them.
       for (const int k : {u, v}) {
-        if (query.is_double[k] && p[k] == x[k] && q[k] == x[k]) return Sign::Zero;
+        const double at = query.near[k];
+        if (query.is_double[k] && from[k] == at && to[k] == at) return Sign::Zero;
       }
     }
-    const IntegerVector3 p = from(query, a), q = from(query, b);
+    const IntegerVector3 p = vector_to(a, query), q = vector_to(b, query);
     return sign_of(Integer(p[u] * q[v] - p[v] * q[u]));
   }
 
   // The vector from the query point to a point of the surface, times a positive number. Integers,
   // because fractions of long numbers spend their time on greatest common divisors.
-  IntegerVector3 from(const Query& query, PointId point) const {
+  IntegerVector3 vector_to(PointId point, const Query& query) const {
     const HomogeneousPoint p = clear_denominators(surface_.points[point]);
     return p.n * query.cleared.w - query.cleared.n * p.w;
   }
@@ -210,22 +220,24 @@ class Winding::Search {
     const auto& [a, b, c] = t;
     if (surface_.points.is_binary()) {
       const auto points = surface_.points.doubles();
-      const Point p = points[a.index()] - query.near, q = points[b.index()] - query.near,
-                  r = points[c.index()] - query.near;
+      const auto to = [&](PointId id) -> Point {
+        return scale_ * (points[id.index()] - query.near);
+      };
+      const Point p = to(a), q = to(b), r = to(c);
       // Where x is no double, each difference may be off by half a unit of x more. With s a bound
       // of x's coordinates, m one of the differences', the determinant of 6 products of three is
       // off by at most 6 ((m + e)^3 - m^3) for e = 2^-53 (s + 2 m), and by roundings below
       // 2^-46 m^3; the term below 2^-1000 is for underflow.
       const double m =
           std::max({p.cwiseAbs().maxCoeff(), q.cwiseAbs().maxCoeff(), r.cwiseAbs().maxCoeff()});
-      const double s = query.is_binary() ? 0 : query.near.cwiseAbs().maxCoeff();
+      const double s = query.is_binary() ? 0 : scale_ * query.near.cwiseAbs().maxCoeff();
       const double e = 2 * kUnitRoundoff * (s + m) + 0x1p-1000;
       const double value = p.dot(q.cross(r));
       const double error = 0x1p-46 * m * m * m + 32 * e * (m + e) * (m + e) + 0x1p-900;
       if (std::abs(value) > error) return sign_of(value);
     }
-    return sign_of(
-        Integer(from(query, a).dot(IntegerVector3(from(query, b).cross(from(query, c))))));
+    const IntegerVector3 normal = vector_to(b, query).cross(vector_to(c, query));
+    return sign_of(Integer(vector_to(a, query).dot(normal)));
   }
 
   bool is_on(std::uint32_t index, const Query& query) const {
@@ -254,6 +266,9 @@ class Winding::Search {
 
   const Surface& surface_;
   BoxTree tree_;
+  // A power of two that brings the surface near 1, so that products in doubles neither overflow nor
+  // underflow; the terms for underflow cover what it does to smaller coordinates.
+  double scale_;
   std::vector<Sign> up_;  // by triangle: whether it faces up
 };
 

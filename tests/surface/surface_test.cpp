@@ -393,6 +393,34 @@ TEST_CASE("winding numbers and volumes of random unions of cells") {
   }
 }
 
+TEST_CASE("winding numbers: powers of two change none, up to the ends of the doubles") {
+  std::mt19937 random(19);
+  const Mesh mesh = joined(mesh_of_cells(l_cells()), joined(cube(8, 12), reversed(cube(9, 10))));
+  const Surface surface = make_surface(mesh);
+  const Winding winding(surface);
+  // On corners, edges and faces, on none of them, and between doubles.
+  std::vector<RationalPoint> places;
+  for (int k = 0; k < 200; ++k) {
+    const auto coordinate = [&] { return Rational(int(random() % 40) - 3, 1 + int(random() % 3)); };
+    places.push_back({coordinate(), coordinate(), coordinate()});
+  }
+  for (const int exponent : {1019, 700, -700, -1022, -1070}) {
+    CAPTURE(exponent);
+    std::vector<Point> points;
+    for (const Point& p : mesh.points.doubles()) {
+      points.push_back(p.unaryExpr([&](double x) { return std::ldexp(x, exponent); }));
+    }
+    const Surface scaled = make_surface({PointSet(points), mesh.polygons, {}});
+    const Winding other(scaled);
+    for (const RationalPoint& x : places) {
+      const RationalPoint there = x * scale_by_power_of_two(Rational(1), exponent);
+      CHECK(other(there) == winding(x));
+      const RationalVector3 up(1, 2, 3);
+      CHECK(other.towards(there, up) == winding.towards(x, up));
+    }
+  }
+}
+
 TEST_CASE("make_surface: the order of points and faces, and their sizes, change nothing") {
   std::mt19937 random(18);
   const Mesh mesh = joined(mesh_of_cells(l_cells()), joined(cube(8, 12), reversed(cube(9, 10))));
