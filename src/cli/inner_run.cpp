@@ -89,7 +89,7 @@ InnerRequest inner_request(const SimplifyArguments& options) {
 
 std::string picture_of(const std::vector<FoundObject<InnerResult>>& objects) {
   PictureLayer inner{.name = "inner hull", .color = "#56b4e9", .edges = true, .right = true};
-  PictureLayer input{.name = "input", .color = "#e69f00", .shown = false};
+  PictureLayer input{.name = "input", .color = "#e69f00"};
   PictureLayer hull{.name = "hull of the input", .color = "#8f8f8f", .opacity = 0.25};
   for (const auto& [source, result] : objects) {
     inner.add_to_pick(result.solid, objects.size() > 1 ? as_utf8(source.name) : "inner hull");

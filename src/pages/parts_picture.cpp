@@ -320,6 +320,19 @@ Picture parts_picture(const Mesh& input, const PartsVerdict& verdict, const std:
   return picture;
 }
 
+namespace {
+
+// How much of the parts is outside, if that was measured.
+std::string excess_text(const Decomposition& decomposition) {
+  const auto& measures = decomposition.measures;
+  if (!measures || !measures->excess_volume || !measures->solid_volume) return "";
+  const double share =
+      measures->excess_volume->bounds.high_double() / measures->solid_volume->bounds.low_double();
+  return fmt::format("; their excess is {:.2g}% of its volume", 100 * share);
+}
+
+}  // namespace
+
 Picture decomposition_picture(const Decomposition& decomposition, const std::string& title) {
   const Surface& surface = decomposition.surface;
   Picture picture;
@@ -333,7 +346,7 @@ Picture decomposition_picture(const Decomposition& decomposition, const std::str
   std::vector<DrawnPart> drawn;
   for (const Part& part : decomposition.parts) drawn.push_back({&part.mesh, part.halfspaces});
   add_apart(drawn, picture);
-  picture.answer = proven_of_parts(decomposition);
+  picture.answer = proven_of_parts(decomposition) + excess_text(decomposition);
   return picture;
 }
 

@@ -363,6 +363,9 @@ std::string static_drawing(const Picture& picture, const Frame& frame) {
          below + above + "</svg>\n";
 }
 
+// As heatColor() of shapes.js.
+constexpr const char* kHeatScale = "linear-gradient(to right, #2b7ab5, #ffffbf, #d61a1c)";
+
 std::string list_entry(const PictureLayer& layer) {
   std::string counts = with_separators(layer.points.size()) + " points";
   if (!layer.polygons.empty()) {
@@ -372,11 +375,13 @@ std::string list_entry(const PictureLayer& layer) {
   }
   return fmt::format(
       R"(<li data-points="{}" data-faces="{}" data-volume="{}">)"
-      R"(<label><input type="checkbox"{} hidden> <i style="background: {}"></i> )"
+      R"(<label><input type="checkbox"{} hidden> <i{} style="background: {}"></i> )"
       R"({} <small>{}</small></label> <button type="button" hidden>only</button></li>)"
       "\n",
       layer.points.size(), layer.polygons.size(), layer.volume, layer.shown ? " checked" : "",
-      escaped_markup(layer.color), escaped_markup(layer.name), counts);
+      layer.heat.empty() ? "" : R"( class="scale")",
+      layer.heat.empty() ? escaped_markup(layer.color) : kHeatScale, escaped_markup(layer.name),
+      counts);
 }
 
 // The controls besides the view; viewer.js shows them.

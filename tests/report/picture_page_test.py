@@ -255,6 +255,8 @@ def check_decomposition(path, control, fewer):
         look("clusters_before", slide(control, before))
         assert page.evaluate(f'document.querySelector("#{control} + output").textContent') == str(before)
         look("rays", show(2))
+        scale = page.evaluate('(i => [getComputedStyle(i).backgroundImage, i.offsetWidth])(document.querySelector("#layers i.scale"))')
+        assert scale[0].startswith("linear-gradient(to right, rgb(43, 122, 181)") and scale[1] > 50, scale
         assert len(set(sights)) == len(sights), sights
         assert page.evaluate('document.getElementById("apart").labels[0].innerText.trim()') == "draw parts apart"
         assert not page.complaints, page.complaints
@@ -432,7 +434,7 @@ def check_touch(cube):
 def check_looks(path):
     """Light and dark, wide and narrow: texts stand out. Nothing moves by itself. Print has the words."""
     for scheme in ("light", "dark"):
-        for width in (1300, 400):
+        for width in (1300, 400, 2000):
             page = opened(path, width=width, height=900, graphics=chromium.SOFTWARE_WEBGL,
                           media=(("prefers-color-scheme", scheme), ("prefers-reduced-motion", "reduce")))
             try:
