@@ -2,105 +2,26 @@
 // decompose(): the stages from a mesh to its parts, and the proof that they hold it.
 #include "convexact/decompose.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
-#include <array>
 #include <set>
 
 #include "convexact/error.hpp"
 #include "convexact/overlay.hpp"
 #include "decompose/near_concavity.hpp"
 #include "near/frame.hpp"
-#include "number/arithmetic.hpp"
-#include "number/precision.hpp"
 #include "number/text.hpp"
+#include "parts/coverage_proof.hpp"
 #include "parts/cut_parts.hpp"
 #include "parts/flat_part.hpp"
+#include "parts/inner_parts.hpp"
 #include "parts/merge_by_reach.hpp"
 #include "parts/part_volumes.hpp"
+#include "parts/request_rules.hpp"
 #include "parts/stored_part.hpp"
 #include "solid/stage_log.hpp"
 
 namespace convexact {
 namespace {
-
-[[noreturn]] void refuse_request(const std::string& message) {
-  throw Error(ErrorCode::InvalidArgument, message);
-}
-
-bool cuts(const DecomposeRequest& request) { return request.method == DecomposeMethod::Cut; }
-
-bool uses_reach(const DecomposeRequest& request) {
-  return cuts(request) || request.guard == ReachUse::Reach || request.merge == ReachUse::Reach;
-}
-
-// Whether it asks for something that only clusters of triangles have.
-bool has_clusters(const DecomposeRequest& request) {
-  const DecomposeRequest plain;
-  return request.limit.value != plain.limit.value ||
-         request.limit.is_share != plain.limit.is_share || request.connect != plain.connect ||
-         request.guard != plain.guard || request.merge != plain.merge ||
-         request.measure != plain.measure || request.flat == FlatParts::Merge;
-}
-
-void require_sensible(const DecomposeRequest& request) {
-  if (request.max_parts && *request.max_parts == 0) refuse_request("at least one part is needed");
-  const DecomposeRequest plain;
-  if (request.method == DecomposeMethod::Acd) {
-    if (request.measure != plain.measure) {
-      refuse_request("the measure applies to hacd only: acd measures concavity to bridges");
-    }
-    if (request.engine != plain.engine) {
-      refuse_request(
-          "the engine applies to hacd only: acd has one, which decides as exact numbers do");
-    }
-  } else if (request.bridge != plain.bridge || request.coplanar != plain.coplanar) {
-    refuse_request("bridges and the cosine of coplanar facets apply to acd only");
-  }
-  if (cuts(request)) {
-    if (has_clusters(request)) {
-      refuse_request(
-          "concavity, measure, connect, guard, merge and merging flat parts apply to hacd and acd: "
-          "cut is limited by the distance alone");
-    }
-    if (request.engine == Engine::Float) {
-      refuse_request("the engine float applies to hacd only: cut prefers planes in doubles always");
-    }
-  } else if (request.max_excess || request.disjoint || request.effort != plain.effort) {
-    refuse_request(
-        "an effort, an excess allowed, and disjoint parts, apply to cut only, which closed "
-        "surfaces "
-        "get by themselves: name --method cut");
-  }
-  if (request.max_excess && *request.max_excess < 0) {
-    refuse_request("the excess allowed is at least 0");
-  }
-  if (request.faces && request.total_faces) {
-    refuse_request("give the faces of each part or the faces of all parts, not both");
-  }
-  if (request.distance && !uses_reach(request)) {
-    refuse_request("a distance applies to a guard by reach, or to merging by reach: ask for one");
-  }
-  if (request.distance && request.distance->value <= 0) {
-    refuse_request("the distance allowed is above 0");
-  }
-  if (request.total_faces && (request.max_vertices || request.max_facet_vertices)) {
-    refuse_request("corners are counted in each part: leave out the faces of all parts");
-  }
-  if (request.max_vertices && *request.max_vertices < 4) {
-    refuse_request("no part has fewer than 4 corners: allow at least 4 for each");
-  }
-  if (request.max_facet_vertices && *request.max_facet_vertices < 3) {
-    refuse_request("no face has fewer than 3 corners: allow at least 3");
-  }
-  if (request.faces && *request.faces < 4) {
-    refuse_request("no bounded part has fewer than 4 faces: allow at least 4 for each");
-  }
-  if (request.total_faces && *request.total_faces < 4) {
-    refuse_request("no bounded part has fewer than 4 faces: allow at least 4 in all");
-  }
-}
 
 // The proof that all points of faces lie in one plane, if they do, in terms of the mesh's points.
 std::optional<FlatInput> find_flat(const Mesh& mesh, const Watch& watch) {
@@ -120,45 +41,6 @@ std::optional<FlatInput> find_flat(const Mesh& mesh, const Watch& watch) {
   }
   for (PointId& id : flat->basis) id = used[id.index()];
   return std::move(*flat);
-}
-
-// The box of a part, rounded to nearest: rounding is monotone, so that the rounded boxes of two
-// parts hold each other if the parts do.
-struct RoundedBox {
-  explicit RoundedBox(const BoundingBox& box) {
-    for (int k = 0; k < 3; ++k) {
-      low[k] = to_double(box.low[k], Rounding::Nearest);
-      high[k] = to_double(box.high[k], Rounding::Nearest);
-    }
-  }
-  bool may_hold(const RoundedBox& other) const {
-    return (low.array() <= other.low.array()).all() && (high.array() >= other.high.array()).all();
-  }
-  Point low, high;
-};
-
-// By part: the first of those that it lies in and that lie in no other one themselves. Nothing for
-// those that stay; of equal parts the first one does.
-std::vector<std::optional<std::size_t>> find_holders(std::span<const ConvexPart* const> parts,
-                                                     const Watch& watch) {
-  std::vector<RoundedBox> boxes;
-  for (const ConvexPart* part : parts) boxes.emplace_back(part->box);
-  std::vector<std::vector<std::size_t>> holders(parts.size());  // but for later equal ones
-  for (std::size_t k = 0; k < parts.size(); ++k) {
-    watch.at(k, parts.size());
-    for (std::size_t j = 0; j < parts.size(); ++j) {
-      if (j == k || !boxes[j].may_hold(boxes[k]) || !lies_in(*parts[k], *parts[j])) continue;
-      if (j < k || !lies_in(*parts[j], *parts[k])) holders[k].push_back(j);
-    }
-  }
-  // This relation is transitive and has no circle, so that one of the holders has none of its own.
-  std::vector<std::optional<std::size_t>> first(parts.size());
-  for (std::size_t k = 0; k < parts.size(); ++k) {
-    for (const std::size_t j : holders[k]) {
-      if (!first[k] && holders[j].empty()) first[k] = j;
-    }
-  }
-  return first;
 }
 
 class Decomposer {
@@ -188,11 +70,8 @@ class Decomposer {
     if (cuts(request_)) tell_new_corners();
     drop_inner_as_stored(stored);
     log_.run("coverage by owners", [&] {
-      if (cuts(request_)) {
-        prove_leaves();
-      } else {
-        prove_coverage();
-      }
+      const auto prove = cuts(request_) ? prove_leaves : prove_owners;
+      prove(made_, request_.watch.stop);
     });
     decide_reach(stored);
     if (cuts(request_)) find_planes_between(stored);
@@ -361,37 +240,6 @@ class Decomposer {
       });
       if (part.form == PartForm::Hull && !is_given) part.form = PartForm::Rounded;
     }
-  }
-
-  // Each leaf's hull lies in its part, on the stored numbers; so the parts hold the solid, and each
-  // triangle.
-  void prove_leaves() {
-    const Partition& partition = std::get<Partition>(made_.origin);
-    made_.owner.assign(made_.surface.triangles.size(), kNoOwner);
-    std::vector<bool> is_shared(made_.owner.size(), false);
-    std::vector<bool> is_held(partition.leaves.size(), false);
-    for (std::uint32_t k = 0; k < made_.parts.size(); ++k) {
-      const Part& part = made_.parts[k];
-      for (const std::uint32_t leaf : part.leaves) {
-        if (is_held[leaf]) throw Error(ErrorCode::Internal, "a leaf has two parts");
-        is_held[leaf] = true;
-        require_held(part, PointSet(partition.leaves[leaf].hull.vertices));
-        for (const TriangleId t : partition.leaves[leaf].triangles) {
-          std::uint32_t& owner = made_.owner[t.index()];
-          is_shared[t.index()] = is_shared[t.index()] || (owner != kNoOwner && owner != k);
-          owner = k;
-        }
-      }
-    }
-    if (std::find(is_held.begin(), is_held.end(), false) != is_held.end()) {
-      throw Error(ErrorCode::Internal, "a leaf has no part");
-    }
-    for (std::size_t t = 0; t < is_shared.size(); ++t) {
-      if (is_shared[t]) made_.owner[t] = kNoOwner;
-      if (made_.owner[t] != kNoOwner) made_.parts[made_.owner[t]].owns.emplace_back(t);
-    }
-    made_.tested_triangles = made_.owner.size();
-    prove_loose_points();
   }
 
   // ---- Clusters
@@ -563,99 +411,14 @@ class Decomposer {
     keep_those(drop_inner(solids), stored);
   }
 
-  // Triangles of parts that lie in another one change owner. Returns which parts stay.
+  // Returns which parts stay.
   std::vector<bool> drop_inner(const std::vector<const ConvexPart*>& solids) {
     constexpr const char* kStage = "inner parts";
-    std::vector<bool> stays(solids.size(), true);
     if (request_.keep_inner) {
       log_.skip(kStage, "they are kept");
-      return stays;
+      return std::vector<bool>(solids.size(), true);
     }
-    log_.run(kStage, [&] {
-      const auto holder = find_holders(solids, log_.watch(kStage));
-      std::vector<std::size_t> place(solids.size(), 0);  // of those that stay
-      for (std::size_t k = 0, next = 0; k < solids.size(); ++k) {
-        stays[k] = !holder[k];
-        if (stays[k]) place[k] = next++;
-      }
-      for (InnerCluster& inner : made_.inner) {
-        inner.part = place[holder[inner.part].value_or(inner.part)];
-      }
-      for (std::size_t k = 0; k < solids.size(); ++k) {
-        if (stays[k]) continue;
-        const std::vector<TriangleId> owns = std::move(made_.parts[k].owns);
-        const std::vector<std::uint32_t> leaves = std::move(made_.parts[k].leaves);
-        Part& other = made_.parts[*holder[k]];
-        other.leaves.insert(other.leaves.end(), leaves.begin(), leaves.end());
-        std::sort(other.leaves.begin(), other.leaves.end());
-        if (!made_.parts[k].cluster.empty()) {
-          made_.inner.push_back({made_.parts[k].cluster.front(), place[*holder[k]]});
-        }
-        for (const TriangleId lowest : made_.parts[k].merged) {
-          made_.inner.push_back({lowest, place[*holder[k]]});
-        }
-        other.owns.insert(other.owns.end(), owns.begin(), owns.end());
-        const std::vector<PointId> loose = std::move(made_.parts[k].loose);
-        other.loose.insert(other.loose.end(), loose.begin(), loose.end());
-      }
-      keep_those(stays, made_.parts);
-      for (Part& part : made_.parts) std::sort(part.owns.begin(), part.owns.end());
-      std::sort(made_.inner.begin(), made_.inner.end(),
-                [](const InnerCluster& a, const InnerCluster& b) { return a.lowest < b.lowest; });
-    });
-    return stays;
-  }
-
-  template <class T>
-  static void keep_those(const std::vector<bool>& stays, std::vector<T>& list) {
-    std::size_t next = 0;
-    for (std::size_t k = 0; k < list.size(); ++k) {
-      if (!stays[k]) continue;
-      if (next != k) list[next] = std::move(list[k]);
-      ++next;
-    }
-    list.resize(next);
-  }
-
-  // On the stored numbers: each corner of each triangle in all halfspaces of the triangle's owner.
-  void prove_coverage() {
-    made_.owner.assign(made_.surface.triangles.size(), kNoOwner);
-    for (std::uint32_t k = 0; k < made_.parts.size(); ++k) {
-      const Part& part = made_.parts[k];
-      const auto corners = points_of(made_.surface, part.owns);
-      require_held(part, subset(made_.surface.points, corners));
-      for (const TriangleId t : part.owns) {
-        if (made_.owner[t.index()] != kNoOwner) {
-          throw Error(ErrorCode::Internal, "a triangle has two owners");
-        }
-        made_.owner[t.index()] = k;
-        ++made_.tested_triangles;
-      }
-    }
-    if (made_.tested_triangles != made_.surface.triangles.size()) {
-      throw Error(ErrorCode::Internal, "a triangle has no owner");
-    }
-    prove_loose_points();
-  }
-
-  // The same for each loose point and its part.
-  void prove_loose_points() {
-    std::size_t loose = 0;
-    for (const Part& part : made_.parts) {
-      loose += part.loose.size();
-      require_held(part, subset(made_.surface.unused, part.loose));
-    }
-    if (loose != made_.surface.unused.size()) {
-      throw Error(ErrorCode::Internal, "a loose point has no part");
-    }
-  }
-
-  void require_held(const Part& part, const PointSet& points) const {
-    const std::size_t outside = find_outside(part.halfspaces, points, request_.watch.stop).size();
-    if (outside > 0) {
-      throw Error(ErrorCode::Internal,
-                  fmt::format("{} points of a part lie outside of it", outside));
-    }
+    return log_.run(kStage, [&] { return give_up_inner_parts(made_, solids, log_.watch(kStage)); });
   }
 
   const DecomposeRequest& request_;
