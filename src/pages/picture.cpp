@@ -416,6 +416,7 @@ std::string control_list(const std::vector<PictureLayer>& layers) {
   }
   if (right > 0 && right < layers.size() && moves)
     list += fmt::format(kSwitch, "glass", "see the input through the parts");
+  list += fmt::format(kSwitch, "z-up", "z is up");
   list += fmt::format(kSlider, "cut open", "cut", 100, 0, "");
   if (right > 0 && right < layers.size()) list += fmt::format(kSwitch, "pair", "side by side");
   if (moves) list += fmt::format(kSlider, "draw parts apart", "apart", 100, 0, "");

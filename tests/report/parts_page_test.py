@@ -12,7 +12,7 @@ import sys
 import tempfile
 
 import chromium
-from picture_page_test import PRELUDE, SHOWN, SIGHT, SIZE, keep, measured, opened
+from picture_page_test import PRELUDE, SHOWN, SIGHT, SIZE, boxes, keep, measured, opened
 
 FRAMES_A_SECOND = 30
 
@@ -55,8 +55,8 @@ def box(low, high, place=lambda *x: x):
         "f " + " ".join(str(k - 8) for k in face) + "\n" for face in faces)
 
 
-def parts(*boxes, place=lambda *x: x):
-    return "".join(f"o part_{k}\n{box(*each, place)}" for k, each in enumerate(boxes))
+def parts(*solids, place=lambda *x: x):
+    return "".join(f"o part_{k}\n{box(*each, place)}" for k, each in enumerate(solids))
 
 
 def layers_of(path):
@@ -146,6 +146,19 @@ def check_cut(path):
     on_page(path, check)
 
 
+def check_up(path):
+    """A column along z, and of the same size along y: it stands with z up as the other one does with y up."""
+    def check(page):
+        lies = boxes(page)[0]
+        page.evaluate('document.getElementById("z-up").click()')
+        stands = boxes(page)[0]
+        assert page.evaluate('document.getElementById("z-up").labels[0].innerText.trim()') == "z is up"
+        return [(right - left) / (high - low) for left, right, low, high in (lies, stands)]
+
+    lies, stands = on_page(path, check)
+    assert stands < 0.6 < 1 < lies, (lies, stands)
+
+
 def check_speed(path):
     def check(page):
         page.evaluate(SIZE)
@@ -222,6 +235,10 @@ def main():
 
         red = on_page("seven.html", looks_at_the_corner)
         assert red > 300, red
+
+        pathlib.Path("column.obj").write_text(box((0, 0, 0), (1, 1, 4)))
+        run("simplify", "column.obj", "--faces", "6", "--picture", "column.html")
+        check_up("column.html")
 
         run("simplify", data / "spot.obj", "--faces", "14", "--picture", "spot.html")
         first = on_page("spot.html", lambda page: page.evaluate(FIRST))

@@ -123,6 +123,7 @@ function aim(pane) {
   const half = Math.atan(Math.tan(Math.PI * camera.fov / 360) * Math.min(1, camera.aspect));
   const distance = 1.03 * radius / Math.sin(half);
   camera.position.copy(towardsReader()).multiplyScalar(distance);
+  camera.up.set(0, isZUp ? 0 : 1, isZUp ? 1 : 0);
   camera.lookAt(0, 0, 0);
   camera.near = Math.max(0.01, distance - 1.1 * radius);
   camera.far = distance + 1.1 * radius;
@@ -251,8 +252,12 @@ function redraw() {
     draw();
   });
 }
+// y is up, or z. Angles are those of a scene with y up; there, (x, y, z) of a scene with z up is (x, z, -y).
+let isZUp = false;
+control("z-up", on => isZUp = on);
 function towardsReader() {
-  return new THREE.Vector3(Math.sin(-turn) * Math.cos(tilt), Math.sin(tilt), Math.cos(turn) * Math.cos(tilt));
+  const [x, y, z] = [Math.sin(-turn) * Math.cos(tilt), Math.sin(tilt), Math.cos(turn) * Math.cos(tilt)];
+  return isZUp ? new THREE.Vector3(x, -z, y) : new THREE.Vector3(x, y, z);
 }
 function move(right, down, factor) {
   turn += right;
@@ -264,6 +269,7 @@ function move(right, down, factor) {
 // Only if this side cannot be seen well; at once, as nothing here moves by itself.
 function turnTo(normal) {
   if (normal.dot(towardsReader()) > 0.5) return;
+  if (isZUp) normal = new THREE.Vector3(normal.x, normal.z, -normal.y);
   if (Math.hypot(normal.x, normal.z) > 0.01) turn = Math.atan2(-normal.x, normal.z);
   tilt = Math.asin(Math.max(-1, Math.min(1, normal.y)));
 }
