@@ -30,6 +30,11 @@ STEP = """(() => {
     drawn: [...document.querySelectorAll("#panes svg")].map(svg => svg.querySelectorAll("path, circle, ellipse").length),
     bad: document.querySelector("#panes").innerHTML.match(/NaN|Infinity|undefined/g),
     here: document.querySelectorAll("#contents a[aria-current]").length,
+    labels: [...document.querySelectorAll("#panes svg")].map(svg => [...svg.querySelectorAll("text")].map(text => {
+      const box = text.getBoundingClientRect(), style = getComputedStyle(text);
+      return {text: text.textContent, box: [box.left, box.top, box.right, box.bottom], hidden: /back|far/.test(text.getAttribute("class")),
+        seen: Number(style.fillOpacity) * Number(style.opacity)};
+    })),
     last: document.getElementById("next").disabled,
     wide: document.documentElement.scrollWidth - innerWidth};
 })()"""
@@ -64,6 +69,19 @@ def says(shown, exact):
     return value != Fraction(exact) and abs(value) <= abs(Fraction(exact)) < abs(value) + unit
 
 
+def check_labels(panes, where):
+    """No label covers another one, those in front are drawn in full and those behind fainter."""
+    for labels in panes:
+        for k, label in enumerate(labels):
+            assert label["seen"] == 1 if not label["hidden"] else 0.3 < label["seen"] < 0.7, (where, label)
+            left, top, right, bottom = label["box"]
+            for other in labels[:k]:
+                # A glyph's box is higher than the glyph.
+                across = min(right, other["box"][2]) - max(left, other["box"][0])
+                down = min(bottom, other["box"][3]) - max(top, other["box"][1])
+                assert across <= 2 or down <= 0.3 * (bottom - top), (where, label, other)
+
+
 def check_step(step, lesson, name):
     where = f"{name} #{step['hash']}"
     assert step["bad"] is None, (where, step["bad"])
@@ -72,6 +90,7 @@ def check_step(step, lesson, name):
     assert step["no"] == 0, f"{where}: the page does not agree with the record"
     assert step["here"] == 1, where
     assert step["wide"] <= 0, f"{where}: wider than the window by {step['wide']}"
+    check_labels(step["labels"], where)
     for pointer, exact, shown in step["numbers"]:
         assert at(lesson, pointer) == exact, (where, pointer)
         if shown is not None and not pointer.endswith("/decimal"):

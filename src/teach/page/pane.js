@@ -49,10 +49,8 @@ class Pane {
       (part.pick === undefined ? "" : ` data-pick="${escaped(part.pick)}"`);
     const labels = [], count = this.items.reduce((sum, item) => sum + (item.faces || []).length, 0);
     this.svg.classList.toggle("fine", count > 150);
-    const label = (part, at) => {
-      if (part.label !== undefined) {
-        labels.push(`<text x="${at[0].toFixed(1)}" y="${at[1].toFixed(1)}" class="${part.mark || ""}">${escaped(part.label)}</text>`);
-      }
+    const label = (part, places) => {
+      if (part.label !== undefined) labels.push({text: String(part.label), mark: part.mark || "", places});
     };
     const behind = [], within = [], front = [];
     for (const item of this.items) {
@@ -67,7 +65,7 @@ class Pane {
         const isFront = area < 0;  // y points down
         const mark = {mark: `${item.mark || ""} ${face.mark || ""} ${isFront ? "front" : "back"}`, pick: isFront ? face.pick : undefined};
         (isFront ? fronts : backs).push(`<path ${attributes("face", mark)} d="M${corners.map(text).join("L")}z"/>`);
-        label({...face, mark: mark.mark}, [0, 1].map(k => corners.reduce((sum, p) => sum + p[k], 0) / corners.length));
+        label({...face, mark: mark.mark}, [[0, 1].map(k => corners.reduce((sum, p) => sum + p[k], 0) / corners.length)]);
       }
       behind.push(backs.join(""));
       front.unshift(fronts.join(""));
@@ -79,11 +77,30 @@ class Pane {
         const at = flat(dot.at);
         dot = {...dot, mark: `${dot.mark || ""} ${times(near, dot.at) < -1e-9 ? "far" : ""}`};
         within.push(`<circle ${attributes("dot", dot)} cx="${at[0].toFixed(2)}" cy="${at[1].toFixed(2)}" r="${dot.size || 4}"/>`);
-        label(dot, [at[0] + 7, at[1] - 7]);
+        label(dot, [[7, -7], [-7, -7], [7, 16], [-7, 16]].map(([x, y]) => [at[0] + x, at[1] + y]));
       }
     }
     // Dots and lines can be seen through faces, so they may come last.
-    this.svg.innerHTML = behind.join("") + front.join("") + within.join("") + labels.join("");
+    this.svg.innerHTML = behind.join("") + front.join("") + within.join("") + this.labels(labels).join("");
+  }
+
+  // Each where it covers no other one and lies in the pane; what is chosen goes first, what is hidden last, and what
+  // finds no place is left out: the tables have all. Twice the same at one place is one.
+  labels(wanted) {
+    const {x: left, y: top, width, height} = this.svg.viewBox.baseVal, taken = [];
+    const rank = ({mark}) => /\bchosen\b/.test(mark) ? 0 : /\b(back|far)\b/.test(mark) ? 2 : 1;
+    return [...wanted].sort((a, b) => rank(a) - rank(b)).flatMap(label => {
+      const size = rank(label) === 0 ? 16 : 13, half = 0.31 * size * label.text.length + 2;
+      for (const place of label.places) {
+        const x = Math.max(left + half, Math.min(left + width - half, place[0]));
+        const y = Math.max(top + size, Math.min(top + height - 4, place[1]));
+        const box = [x - half, y - size, x + half, y + 3];
+        if (taken.some(other => box[0] < other[2] && other[0] < box[2] && box[1] < other[3] && other[1] < box[3])) continue;
+        taken.push(box);
+        return [`<text x="${x.toFixed(1)}" y="${y.toFixed(1)}" class="${label.mark}">${escaped(label.text)}</text>`];
+      }
+      return [];
+    });
   }
 
   // A ball of the solid's space is an ellipsoid where axes are drawn to scales of their own. Its outline is the
