@@ -141,7 +141,7 @@ def simplify_scene(
     if keep is not None and len(keep) != len(shapes):
         raise InvalidArgument(f"keep: expected an entry for each of {len(shapes)} objects, found {len(keep)}")
     kept = [] if keep is None else [_inputs.keep(each, shapes[k][1]) for k, each in enumerate(keep)]
-    return Scene(_core.simplify_scene([(rows, None) for rows, _ in shapes], faces, given, kept, _inputs.progress(progress)))
+    return Scene(_core.simplify_scene([(rows, None) for rows, _ in shapes], _inputs.count(faces, "faces"), given, kept, _inputs.progress(progress)))
 
 
 def inner(

@@ -75,6 +75,24 @@ def _is_pair(shape: Any) -> bool:
     return isinstance(shape, (tuple, list)) and len(shape) == 2 and np.ndim(shape[0]) == 2
 
 
+def count(value: Any, name: str) -> int:
+    """A whole number of at least 0."""
+    if isinstance(value, (bool, np.bool_)) or not isinstance(value, (int, np.integer)) or not 0 <= value < 2**63:
+        raise _core.InvalidArgument(f"{name}: expected a whole number of at least 0, found {value!r}")
+    return int(value)
+
+
+def read(path: Any, name: str) -> str:
+    """The text of a file."""
+    try:
+        with open(os.fspath(path), encoding="utf-8") as stream:
+            return stream.read()
+    except TypeError as error:
+        raise _core.InvalidArgument(f"{name}: expected a path, found {type(path).__name__}") from error
+    except (OSError, UnicodeDecodeError) as error:
+        raise _core.Unreadable(f"{path}: {getattr(error, 'strerror', None) or 'expected text'}") from error
+
+
 def halfspaces(shape: Any, name: str) -> Rows | None:
     """Rows (n1, n2, n3, d) of a result of this package, exactly, or of an array (m, 4); None of anything else."""
     exact = getattr(shape, "exact_planes", None)
@@ -102,12 +120,17 @@ def keep(selectors: Any, polygons: list[list[int]]) -> dict[str, Any]:
         if name in given:
             given[name] = rows(given[name], width, f"keep[{name!r}]")
     if "faces" in given:
-        wrong = [k for k in given["faces"] if not 0 <= k < len(polygons)]
+        wrong = [k for k in given["faces"] if not count(k, "keep['faces']") < len(polygons)]
         if wrong:
             raise _core.InvalidArgument(f"keep['faces']: expected numbers of the {len(polygons)} faces of the input, found {wrong[0]}")
         given["faces"] = [polygons[k] for k in given["faces"]]
     if "ids" in given:
-        given["ids"] = [int(k) for k in given["ids"]]
+        given["ids"] = [count(k, "keep['ids']") for k in given["ids"]]
+    if "degrees" in given:
+        try:
+            given["degrees"] = float(given["degrees"])
+        except (TypeError, ValueError) as error:
+            raise _core.InvalidArgument(f"keep['degrees']: expected a number, found {given['degrees']!r}") from error
     return given
 
 

@@ -6,7 +6,6 @@ Solids are closed sets: touching counts.
 from __future__ import annotations
 
 import json
-import os
 from dataclasses import dataclass
 from fractions import Fraction
 from functools import cached_property
@@ -113,7 +112,8 @@ def false_positives(a: Any, b: Any, samples: int = 1000, *, seed: int = 1, progr
     samples : of each kind
     """
     document: dict[str, Any] = json.loads(
-        _core.false_positives(_solid(a, "a"), _solid(b, "b"), samples, seed, _inputs.progress(progress))
+        _core.false_positives(_solid(a, "a"), _solid(b, "b"), _inputs.count(samples, "samples"), _inputs.count(seed, "seed"),
+                              _inputs.progress(progress))
     )
     return document
 
@@ -180,6 +180,7 @@ def bvh(parts: Any, *, faces: int | None = None, progress: Any = None) -> Tree:
     TreeHit(first=Fraction(4, 1), parts=[1], visited=3)
     """
     bar = _inputs.progress(progress)
+    faces = None if faces is None else _inputs.count(faces, "faces")
     found = getattr(parts, "_found", None) if isinstance(parts, Decomposition) else None
     if found is not None:
         return Tree(_core.tree_of(found, faces, bar))
@@ -190,8 +191,7 @@ def read_tree(source: Any) -> Tree:
     """A tree from its file, or from the text of one; refused if a hull does not hold its children."""
     if isinstance(source, str) and source.lstrip().startswith("{"):
         return Tree(_core.read_tree(source))
-    with open(os.fspath(source), encoding="utf-8") as stream:
-        return Tree(_core.read_tree(stream.read()))
+    return Tree(_core.read_tree(_inputs.read(source, "source")))
 
 
 @dataclass(frozen=True)
@@ -212,12 +212,9 @@ def implicit(shape: Any, box: Any, depth: int, *, progress: Any = None) -> Impli
     box : x0, y0, z0 and the edge of a cube that holds the shape
     depth : how often the cube is halved
     """
-    if isinstance(shape, Mapping):
-        text = json.dumps(shape)
-    else:
-        with open(os.fspath(shape), encoding="utf-8") as stream:
-            text = stream.read()
-    corners = [float(x) for x in box]
-    if len(corners) != 4:
-        raise _core.InvalidArgument(f"box: expected x0, y0, z0 and an edge, found {box!r}")
-    return ImplicitPoints(*_core.implicit(text, corners, depth, _inputs.progress(progress)))
+    text = json.dumps(shape) if isinstance(shape, Mapping) else _inputs.read(shape, "shape")
+    corners = _inputs.rows([box], 4, "box")
+    if isinstance(corners, list):
+        raise _core.InvalidArgument("box: expected doubles")
+    found = _core.implicit(text, corners[0].tolist(), _inputs.count(depth, "depth"), _inputs.progress(progress))
+    return ImplicitPoints(*found)

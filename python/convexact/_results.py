@@ -167,25 +167,10 @@ class Hull(_Solid):
         return f"<convexact.Hull: {len(self.exact_vertices)} vertices, {len(self.exact_planes)} facets{volume}>"
 
 
-class Simplified(_Solid):
-    """A solid of few halfspaces that holds every point."""
-
-    _fields = ("exact_vertices", "vertices", "faces", "exact_planes", "planes", "mesh", "steps", "stop", "volumes", "kept")
-
-    @cached_property
-    def kept(self) -> list[tuple[int, int]]:
-        """With keep=: facets of the hull that were kept, each with its place in `planes`."""
-        return list(self._found.kept())
-
-    @cached_property
-    def mesh(self) -> tuple[Array, list[list[int]]]:
-        """Vertices and faces in doubles or binary32, whose hull is proven to hold every point; of precision=64 or 32."""
-        mesh: tuple[Array, list[list[int]]] = _asked(self._found.stored_mesh(), "simplify(..., precision=64)")
-        return mesh
-
+class _Run(_Result):
     @cached_property
     def steps(self) -> int:
-        """How many halfspaces were removed."""
+        """How many halfspaces were removed; of a scene from all objects, as all of these."""
         return int(self._found.steps())
 
     @cached_property
@@ -204,6 +189,23 @@ class Simplified(_Solid):
         """The volume of the result over that of the hull, less 1; to about 1e-15."""
         return self.volumes[1][1] / self.volumes[0][0] - 1
 
+
+class Simplified(_Run, _Solid):
+    """A solid of few halfspaces that holds every point."""
+
+    _fields = ("exact_vertices", "vertices", "faces", "exact_planes", "planes", "mesh", "steps", "stop", "volumes", "kept")
+
+    @cached_property
+    def kept(self) -> list[tuple[int, int]]:
+        """With keep=: facets of the hull that were kept, each with its place in `planes`."""
+        return list(self._found.kept())
+
+    @cached_property
+    def mesh(self) -> tuple[Array, list[list[int]]]:
+        """Vertices and faces in doubles or binary32, whose hull is proven to hold every point; of precision=64 or 32."""
+        mesh: tuple[Array, list[list[int]]] = _asked(self._found.stored_mesh(), "simplify(..., precision=64)")
+        return mesh
+
     def trace(self) -> str:
         """Every step as JSON; of simplify(..., trace=True)."""
         return str(self._found.trace())
@@ -216,7 +218,7 @@ class Simplified(_Solid):
         return f"<convexact.Simplified: {len(self.exact_planes)} halfspaces after {self.steps} removals, volume +{self.growth:.3%}>"
 
 
-class Scene(_Result, Sequence[Simplified]):
+class Scene(_Run, Sequence[Simplified]):
     """Several objects, each enclosed by itself, as a sequence."""
 
     _fields = ("objects", "steps", "stop", "volumes")
@@ -224,21 +226,6 @@ class Scene(_Result, Sequence[Simplified]):
     @cached_property
     def objects(self) -> list[Simplified]:
         return [Simplified(found) for found in self._found.objects()]
-
-    @cached_property
-    def steps(self) -> int:
-        """How many halfspaces were removed from all of them."""
-        return int(self._found.steps())
-
-    @cached_property
-    def stop(self) -> str:
-        return str(self._found.stop())
-
-    @cached_property
-    def volumes(self) -> tuple[tuple[float, float], tuple[float, float]]:
-        """Sums over the objects, as Simplified.volumes."""
-        pairs: tuple[tuple[float, float], tuple[float, float]] = self._found.volumes()
-        return pairs
 
     def __len__(self) -> int:
         return len(self.objects)

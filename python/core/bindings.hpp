@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "arrays.hpp"
+#include "convexact/decompose.hpp"
 #include "convexact/scene.hpp"
 #include "interruptible.hpp"
 #include "io/names.hpp"
@@ -25,6 +26,12 @@ void add_hulls(py::module_& module);
 void add_verdicts(py::module_& module);
 void add_parts(py::module_& module);
 void add_queries(py::module_& module);
+
+/// A decomposition and what it was made from, which a tree over it needs.
+struct Decomposed {
+  Decomposition result;
+  DecomposeRequest request;
+};
 
 /// By the names of the command line, with values spelled as there.
 using Options = std::vector<std::pair<std::string, std::string>>;

@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Decompositions, and the files that meshes come from.
 #include "bindings.hpp"
-#include "convexact/decompose.hpp"
 #include "convexact/json.hpp"
 #include "convexact/overlay.hpp"
-#include "decomposed.hpp"
 #include "pages/parts_picture.hpp"
 #include "proof/decomposition_proof.hpp"
 #include "wire/decompose_options.hpp"

@@ -4,7 +4,6 @@
 #include "convexact/hull_tree.hpp"
 #include "convexact/implicit.hpp"
 #include "convexact/query.hpp"
-#include "decomposed.hpp"
 #include "wire/query_report.hpp"
 #include "wire/tree_report.hpp"
 

@@ -161,11 +161,38 @@ def test_facets_that_are_kept_stay() -> None:
 @pytest.mark.parametrize("keep, sentence", [
     ({"normal": [[0, 0, 1]]}, "expected a dict of ids"), ([3], "expected a dict of ids"), ({"degrees": 3}, "need normals"),
     ({"faces": [6]}, "numbers of the 6 faces"), ({"normals": [[0, 0, 0]]}, "no direction"), ({"ids": [99]}, "99"),
-    ({"planes": [[1, 1, 1, 1]]}, "keep"), ({"normals": [[0, 0]]}, "shape"),
+    ({"ids": [-1]}, "at least 0"), ({"ids": [1.5]}, "whole number"), ({"faces": [0.5]}, "whole number"),
+    ({"normals": [[0, 0, 1]], "degrees": "few"}, "expected a number"), ({"planes": [[1, 1, 1, 1]]}, "keep"), ({"normals": [[0, 0]]}, "shape"),
 ])
 def test_wrong_selectors_get_a_sentence(keep: Any, sentence: Any) -> None:
     with pytest.raises(cx.InvalidArgument, match=sentence):
         cx.simplify((CUBE, QUADS), faces=6, keep=keep)
+
+
+SPHERE = {"sphere": {"center": [0, 0, 0], "radius": 1}}
+WRONG: list[Any] = [
+    (lambda: cx.implicit(SPHERE, (0, 0, 0), 3), cx.InvalidArgument, "box: expected an array"),
+    (lambda: cx.implicit(SPHERE, None, 3), cx.InvalidArgument, "box"),
+    (lambda: cx.implicit(SPHERE, (-2, -2, -2, 4), -1), cx.InvalidArgument, "depth: expected a whole number"),
+    (lambda: cx.implicit("missing.json", (-2, -2, -2, 4), 3), cx.Unreadable, "missing.json: No such file"),
+    (lambda: cx.implicit(3, (-2, -2, -2, 4), 3), cx.InvalidArgument, "shape: expected a path"),
+    (lambda: cx.read_tree("missing.json"), cx.Unreadable, "No such file"),
+    (lambda: cx.bvh([CUBE], faces=-4), cx.InvalidArgument, "faces: expected a whole number"),
+    (lambda: cx.bvh([]), cx.InvalidArgument, "part"),
+    (lambda: cx.simplify_scene([CUBE], faces=2.5), cx.InvalidArgument, "faces: expected a whole number"),  # type: ignore[arg-type]
+    (lambda: cx.false_positives(CUBE, CUBE, samples=-1), cx.InvalidArgument, "samples"),
+    (lambda: cx.ray(CUBE, (0, 0), (1, 0, 0)), cx.InvalidArgument, "origin"),
+    (lambda: cx.ray(CUBE, (0, 0, 0), (0, 0, 0)), cx.InvalidArgument, "direction"),
+    (lambda: cx.overlap(CUBE, CUBE[:4]), cx.NotSolid, "plane"),
+]
+
+
+@pytest.mark.parametrize("number", range(len(WRONG)))
+def test_wrong_questions_get_a_sentence(number: Any) -> None:
+    call, kind, words = WRONG[number]
+    with pytest.raises(kind, match=words) as raised:
+        call()
+    assert "\n" not in str(raised.value)
 
 
 def test_scenes_share_one_number_of_halfspaces() -> None:

@@ -16,22 +16,24 @@ namespace {
 
 using Neighbours = std::vector<std::vector<std::size_t>>;
 
-bool do_boxes_meet(const PointSet& a, const PointSet& b) {
-  const auto box_of = [](const PointSet& points) {
-    Point low = points.doubles()[0], high = low;
+// Rounding to doubles is monotone, so the boxes meet if the parts do.
+struct CornerBox {
+  explicit CornerBox(const PointSet& points) : low(points.doubles()[0]), high(low) {
     for (const Point& p : points.doubles()) {
       low = low.cwiseMin(p);
       high = high.cwiseMax(p);
     }
-    return std::pair{low, high};
-  };
-  const auto [low, high] = box_of(a);
-  const auto [from, to] = box_of(b);
-  return (low.array() <= to.array()).all() && (from.array() <= high.array()).all();
-}
+  }
+  bool meets(const CornerBox& other) const {
+    return (low.array() <= other.high.array()).all() && (other.low.array() <= high.array()).all();
+  }
+  Point low, high;
+};
 
 Neighbours contacts(std::span<const PointSet* const> parts) {
   Neighbours neighbours(parts.size());
+  std::vector<CornerBox> boxes;
+  for (const PointSet* part : parts) boxes.emplace_back(*part);
   std::vector<std::optional<ConvexPart>> hulls(parts.size());
   const auto hull = [&](std::size_t k) -> const std::optional<Polytope>& {
     if (!hulls[k]) hulls[k] = convex_part(*parts[k]);
@@ -39,7 +41,7 @@ Neighbours contacts(std::span<const PointSet* const> parts) {
   };
   for (std::size_t b = 1; b < parts.size(); ++b) {
     for (std::size_t a = 0; a < b; ++a) {
-      if (!do_boxes_meet(*parts[a], *parts[b])) continue;
+      if (!boxes[a].meets(boxes[b])) continue;
       if (hull(a) && hull(b) &&
           !std::holds_alternative<CommonPoint>(find_overlap(*hull(a), *hull(b)))) {
         continue;

@@ -142,7 +142,7 @@ std::string reach_lines(const Decomposition& decomposition, std::span<const std:
   return summary_line("reach", text);
 }
 
-// What nobody else proves.
+// The guarantee of cut.
 std::string guarantee_line(const Decomposition& decomposition) {
   if (!std::holds_alternative<Partition>(decomposition.origin)) return "";
   const bool is_within = decomposition.reach && decomposition.reach->farther.empty();

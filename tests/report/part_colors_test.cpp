@@ -84,7 +84,7 @@ TEST_CASE("part colors: every two differ for every reader") {
       for (std::size_t a = 0; a < b; ++a) {
         CAPTURE(colors[a]);
         CAPTURE(colors[b]);
-        CHECK((cielab(vision, colors[a]) - cielab(vision, colors[b])).norm() > 19);
+        CHECK((cielab(vision, colors[a]) - cielab(vision, colors[b])).norm() > 20);
       }
     }
   }
