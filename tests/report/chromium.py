@@ -21,6 +21,17 @@ def find():
     return next(filter(None, map(shutil.which, ("chromium", "chromium-browser", "google-chrome"))), None)
 
 
+SKIPPED = 77  # as Meson's tests say it
+
+
+def is_missing():
+    """Whether there is no Chromium; then says so."""
+    if find() is not None:
+        return False
+    print("skipped: Chromium is not installed (Debian package chromium)")
+    return True
+
+
 class Browser:
     """A process of Chromium with one kind of graphics, which all pages of a test share: to start one for each page
     took most of their time."""

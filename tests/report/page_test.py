@@ -157,9 +157,8 @@ L_PRISM = "".join(f"v {x} {y} {z}\n" for z in (0, 1) for x, y in CORNERS) + "f 6
 def main():
     program = sys.argv[1]
     check_libraries()
-    if chromium.find() is None:
-        print("skipped: Chromium is not installed (Debian package chromium)")
-        return 77
+    if chromium.is_missing():
+        return chromium.SKIPPED
     with tempfile.TemporaryDirectory() as folder:
         os.chdir(folder)
         subprocess.run([program, "generate", "random-ball", "--points", "200", "-o", "a <b>.obj"], check=True)

@@ -179,9 +179,8 @@ def main():
     program, data = (pathlib.Path(argument).resolve() for argument in sys.argv[1:3])
     if len(sys.argv) > 3:
         sys.argv[3] = os.path.abspath(sys.argv[3])
-    if chromium.find() is None:
-        print("skipped: Chromium is not installed (Debian package chromium)")
-        return 77
+    if chromium.is_missing():
+        return chromium.SKIPPED
 
     def run(*arguments, code=0):
         ran = subprocess.run([program, *arguments], stdout=subprocess.DEVNULL, check=False)

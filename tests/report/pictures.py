@@ -40,9 +40,8 @@ def make(program, name, arguments, act="", code=0):
 
 def main():
     program = pathlib.Path(sys.argv[1]).resolve()
-    if chromium.find() is None:
-        print("skipped: Chromium is not installed (Debian package chromium)")
-        return 77
+    if chromium.is_missing():
+        return chromium.SKIPPED
     (ROOT / "docs/pictures").mkdir(exist_ok=True)
     spot = DATA / "spot.obj"
     make(program, "parts", ["decompose", spot, "-o", "parts.obj"])

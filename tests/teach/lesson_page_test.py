@@ -311,9 +311,8 @@ def main():
     program, data = (pathlib.Path(argument).resolve() for argument in sys.argv[1:3])
     if len(sys.argv) > 3:
         sys.argv[3] = os.path.abspath(sys.argv[3])
-    if chromium.find() is None:
-        print("skipped: Chromium is not installed (Debian package chromium)")
-        return 77
+    if chromium.is_missing():
+        return chromium.SKIPPED
     with tempfile.TemporaryDirectory() as folder:
         path, lesson = check_cube(program, folder)
         check_polar(path)
