@@ -60,7 +60,11 @@ std::string growth_of(const std::vector<OutputObject>& objects) {
     const auto& [before, after] = *object.volumes;
     sum = sum ? std::array{(*sum)[0] + before, (*sum)[1] + after} : object.volumes;
   }
-  return sum ? "; volume " + growth_percent((*sum)[0], (*sum)[1]) : "";
+  if (!sum) return "";
+  const bool is_changed =
+      std::any_of(objects.begin(), objects.end(),
+                  [](const OutputObject& object) { return object.is_simplified; });
+  return is_changed ? "; volume " + growth_percent((*sum)[0], (*sum)[1]) : "; nothing was removed";
 }
 
 std::string picture_bytes(const std::vector<OutputObject>& objects) {

@@ -110,6 +110,7 @@ struct OutputObject {
   std::vector<std::size_t> kept = {};  ///< Planes of the solid that were to be kept.
   /// The volumes of the input's hull and of the solid, where a run removed halfspaces.
   std::optional<std::array<Enclosure, 2>> volumes = {};
+  bool is_simplified = false;       ///< Whether it removed any.
   const Run* run = nullptr;         ///< Set wherever a trace or a proof may be asked for.
   const RunStart* start = nullptr;  ///< Set wherever a proof may be asked for.
 };
@@ -160,6 +161,7 @@ int run_on_scene(const Arguments& options, Find&& find, Answer&& answer) {
     OutputObject& output = outputs.emplace_back(OutputObject{object.source, result.solid});
     if constexpr (requires { result.run; }) {
       output.volumes = {result.input_volume.bounds, result.output_volume.bounds};
+      output.is_simplified = result.steps > 0;
       for (const auto& kept : result.kept) output.kept.push_back(kept.plane);
       if (result.run) output.run = &*result.run;
       if (result.start) output.start = &*result.start;

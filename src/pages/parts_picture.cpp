@@ -54,6 +54,8 @@ class Joins {
     const auto [low, high] = std::minmax({groups_.root(a.value), groups_.root(b.value)});
     if (groups_.join(low, high)) joins_.push_back({low, high});
   }
+  // A step that changes no colour.
+  void join_nothing() { joins_.push_back({0, 0}); }
   std::vector<std::array<std::uint32_t, 2>> take() { return std::move(joins_); }
 
  private:
@@ -61,10 +63,13 @@ class Joins {
   std::vector<std::array<std::uint32_t, 2>> joins_;
 };
 
+// By node of a partition: the lowest triangle of those that are painted with it.
+using LowestTriangles = std::vector<std::optional<TriangleId>>;
+
 // The cuts undone, the last one first. A triangle that planes cut goes with the first leaf that has
 // a piece of it.
-void add_cuts(const Partition& partition, Joins& joins) {
-  std::vector<std::optional<TriangleId>> lowest(partition.nodes.size());
+LowestTriangles add_cuts(const Partition& partition, Joins& joins) {
+  LowestTriangles lowest(partition.nodes.size());
   std::set<TriangleId> seen;
   for (const PartitionLeaf& leaf : partition.leaves) {
     for (const TriangleId t : leaf.triangles) {
@@ -77,8 +82,35 @@ void add_cuts(const Partition& partition, Joins& joins) {
     if (!partition.nodes[n].plane) continue;
     const auto [a, b] = partition.nodes[n].children;
     lowest[n] = lowest[a] ? lowest[a] : lowest[b];
-    if (lowest[a] && lowest[b]) joins.join(*lowest[a], *lowest[b]);
+    if (lowest[a] && lowest[b]) {
+      joins.join(*lowest[a], *lowest[b]);
+    } else {
+      joins.join_nothing();
+    }
   }
+  return lowest;
+}
+
+// The leaves that share a part, part after part: those that were merged, and those that a part took
+// over as it holds them. A step for each; one without triangles to paint changes nothing.
+std::vector<std::array<std::uint32_t, 2>> joined_leaves(const Decomposition& decomposition,
+                                                        const Partition& partition,
+                                                        const LowestTriangles& lowest) {
+  std::vector<std::array<std::uint32_t, 2>> joined;
+  for (const Part& part : decomposition.parts) {
+    std::optional<std::uint32_t> group;
+    for (std::size_t k = 0; k < part.leaves.size(); ++k) {
+      const auto& triangle = lowest[partition.leaves[part.leaves[k]].node];
+      if (k > 0) joined.push_back({0, 0});
+      if (!triangle) continue;
+      const std::uint32_t other = group.value_or(triangle->value);
+      group = std::min(other, triangle->value);
+      if (k > 0 && other != triangle->value) {
+        joined.back() = {*group, std::max(other, triangle->value)};
+      }
+    }
+  }
+  return joined;
 }
 
 // Merges in their order, after triangles without area have joined; or, from the leaves of a tree,
@@ -92,9 +124,10 @@ void add_steps(const Decomposition& decomposition, PictureLayer& layer) {
     return;
   }
   if (const auto* partition = std::get_if<Partition>(&decomposition.origin)) {
-    add_cuts(*partition, joins);
+    const LowestTriangles lowest = add_cuts(*partition, joins);
     layer.merges = joins.take();
     layer.splits = partition->nodes.size() / 2;
+    layer.joined = joined_leaves(decomposition, *partition, lowest);
     return;
   }
   const auto& tree = std::get<SplitTree>(decomposition.origin);
@@ -322,13 +355,24 @@ Picture parts_picture(const Mesh& input, const PartsVerdict& verdict, const std:
 
 namespace {
 
-// How much of the parts is outside, if that was measured.
-std::string excess_text(const Decomposition& decomposition) {
+// How much of the parts is outside of the solid, and of the solid outside of the parts, as far as
+// that was measured; and whether a budget ended the run.
+std::string measures_text(const Decomposition& decomposition) {
+  std::string text;
   const auto& measures = decomposition.measures;
-  if (!measures || !measures->excess_volume || !measures->solid_volume) return "";
-  const double share =
-      measures->excess_volume->bounds.high_double() / measures->solid_volume->bounds.low_double();
-  return fmt::format("; their excess is {:.2g}% of its volume", 100 * share);
+  if (measures && measures->solid_volume) {
+    const auto share = [&](const Measured& volume) {
+      return 100 * volume.bounds.high_double() / measures->solid_volume->bounds.low_double();
+    };
+    if (measures->uncovered_volume && measures->uncovered_volume->bounds.high() > 0) {
+      text += fmt::format("; {:.2g}% of the solid is in none", share(*measures->uncovered_volume));
+    }
+    if (measures->excess_volume) {
+      text +=
+          fmt::format("; their excess is {:.2g}% of its volume", share(*measures->excess_volume));
+    }
+  }
+  return text + (decomposition.stopped_by_count() ? "; the number of parts ended the run" : "");
 }
 
 }  // namespace
@@ -346,7 +390,7 @@ Picture decomposition_picture(const Decomposition& decomposition, const std::str
   std::vector<DrawnPart> drawn;
   for (const Part& part : decomposition.parts) drawn.push_back({&part.mesh, part.halfspaces});
   add_apart(drawn, picture);
-  picture.answer = proven_of_parts(decomposition) + excess_text(decomposition);
+  picture.answer = proven_of_parts(decomposition) + measures_text(decomposition);
   return picture;
 }
 

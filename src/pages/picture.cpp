@@ -16,51 +16,18 @@
 #include "number/arithmetic.hpp"
 #include "number/text.hpp"
 #include "pages/page_parts.hpp"
+#include "pages/picture_frame.hpp"
+#include "pages/static_drawing.hpp"
 
 namespace convexact {
 namespace {
 
-constexpr int kGrid = 32767;                   // drawn coordinates are integers in [-kGrid, kGrid]
-constexpr std::size_t kMostDrawn = 1000000;    // triangles or dots of a layer
-constexpr std::size_t kMostTurning = 30000;    // while a page without fast graphics turns
-constexpr std::size_t kMostStaticDots = 3000;  // of a layer, in the static drawing
-constexpr std::size_t kMostPicked = 5000;      // facets of a layer that can be picked
-constexpr std::size_t kMostNumbered = 200;     // facets of a page with a number at each
-constexpr std::size_t kMostUnsorted = 12;      // layers that need no order but their own
-
-// Maps the scene's bounding box into the cube [-1, 1]^3. The power of two keeps huge coordinates
-// from overflowing and subnormal ones from vanishing.
-class Frame {
- public:
-  explicit Frame(const std::vector<PictureLayer>& layers) {
-    double largest = 0;
-    for (const PictureLayer& layer : layers) {
-      for (const Point& p : layer.points) largest = std::max(largest, p.cwiseAbs().maxCoeff());
-    }
-    exponent_ = exponent_of(largest);
-    Point low = Point::Constant(1), high = -low;
-    for (const PictureLayer& layer : layers) {
-      for (const Point& p : layer.points) {
-        low = low.cwiseMin(scaled(p));
-        high = high.cwiseMax(scaled(p));
-      }
-    }
-    if (largest > 0) center_ = (low + high) / 2;
-    const double size = (high - low).maxCoeff();
-    if (size > 0) half_size_ = size / 2;
-  }
-  Point operator()(const Point& p) const { return (scaled(p) - center_) / half_size_; }
-  Point length(const Point& v) const { return scaled(v) / half_size_; }
-
- private:
-  Point scaled(const Point& p) const {
-    return p.unaryExpr([this](double x) { return std::ldexp(x, -exponent_); });
-  }
-
-  int exponent_ = 0;
-  Point center_ = Point::Zero();
-  double half_size_ = 1;
-};
+constexpr int kGrid = 32767;                 // drawn coordinates are integers in [-kGrid, kGrid]
+constexpr std::size_t kMostDrawn = 1000000;  // triangles or dots of a layer
+constexpr std::size_t kMostTurning = 30000;  // while a page without fast graphics turns
+constexpr std::size_t kMostPicked = 5000;    // facets of a layer that can be picked
+constexpr std::size_t kMostNumbered = 200;   // facets of a page with a number at each
+constexpr std::size_t kMostUnsorted = 12;    // layers that need no order but their own
 
 // --- what viewer.js draws -----------------------------------------------------------------------
 
@@ -81,7 +48,7 @@ struct DrawnLayer {
 // Points that share a cell of a grid become one, their mean, in the order of their first use.
 class Clusters {
  public:
-  Clusters(const PictureLayer& layer, const Frame& frame, int step)
+  Clusters(const PictureLayer& layer, const PictureFrame& frame, int step)
       : points_(layer.points), frame_(frame), step_(step), clusters_(points_.size(), kNone) {}
 
   std::uint32_t cluster_of(std::uint32_t point) {
@@ -118,7 +85,7 @@ class Clusters {
   static constexpr std::uint32_t kNone = ~0u;
 
   const std::vector<Point>& points_;
-  const Frame& frame_;
+  const PictureFrame& frame_;
   int step_;
   std::vector<std::uint32_t> clusters_;  // of each point
   std::unordered_map<std::uint64_t, std::uint32_t> of_cell_;
@@ -132,7 +99,7 @@ void sort_unique(std::vector<T>& items) {
 }
 
 // The layer with one point for each cell of a grid; polygons that collapse there are left out.
-DrawnLayer on_grid(const PictureLayer& layer, const Frame& frame, int step) {
+DrawnLayer on_grid(const PictureLayer& layer, const PictureFrame& frame, int step) {
   DrawnLayer drawn;
   Clusters clusters(layer, frame, step);
   std::vector<std::uint32_t> polygon;
@@ -164,7 +131,7 @@ DrawnLayer on_grid(const PictureLayer& layer, const Frame& frame, int step) {
 }
 
 // The layer on the finest grid that leaves at most so many triangles, and dots.
-DrawnLayer drawn_layer(const PictureLayer& layer, const Frame& frame, std::size_t most) {
+DrawnLayer drawn_layer(const PictureLayer& layer, const PictureFrame& frame, std::size_t most) {
   // The loop ends: few triangles have their corners in few grid points.
   for (int step = 1;; step = std::max(16, 3 * step / 2)) {
     DrawnLayer drawn = on_grid(layer, frame, step);
@@ -206,7 +173,7 @@ Json geometry_json(const PictureLayer& layer, const DrawnLayer& drawn) {
 }
 
 // Every point, even where several share a place.
-std::vector<GridPoint> grid_points(const PictureLayer& layer, const Frame& frame) {
+std::vector<GridPoint> grid_points(const PictureLayer& layer, const PictureFrame& frame) {
   std::vector<GridPoint> points;
   for (const Point& p : layer.points) {
     const Point place = frame(p) * kGrid;
@@ -218,7 +185,7 @@ std::vector<GridPoint> grid_points(const PictureLayer& layer, const Frame& frame
 
 // The data that facets.js reads. Corners are not merged on the grid, so facets that share two are
 // neighbours.
-Json facets_json(const PictureLayer& layer, const Frame& frame) {
+Json facets_json(const PictureLayer& layer, const PictureFrame& frame) {
   Json solids = Json::array();
   auto polygon = layer.polygons.begin();
   for (const PictureSolid& solid : layer.solids) {
@@ -233,7 +200,7 @@ Json facets_json(const PictureLayer& layer, const Frame& frame) {
 }
 
 // Every polygon as a fan, with the polygon of each triangle.
-Json colored_json(const PictureLayer& layer, const Frame& frame) {
+Json colored_json(const PictureLayer& layer, const PictureFrame& frame) {
   DrawnLayer drawn;
   drawn.points = grid_points(layer, frame);
   std::vector<std::array<std::uint32_t, 1>> polygon_of;
@@ -255,11 +222,12 @@ Json colored_json(const PictureLayer& layer, const Frame& frame) {
   }
   if (!layer.merges.empty()) json["merges"] = base64<std::uint32_t>(layer.merges);
   if (layer.splits) json["splits"] = *layer.splits;
+  if (!layer.joined.empty()) json["joined"] = base64<std::uint32_t>(layer.joined);
   return json;
 }
 
 // A layer as viewer.js reads it. "turning", if it is there, is a coarser geometry.
-Json layer_json(const PictureLayer& layer, const Frame& frame) {
+Json layer_json(const PictureLayer& layer, const PictureFrame& frame) {
   Json json = {{"color", layer.color}, {"opacity", layer.opacity}};
   if (layer.right) json["right"] = true;
   if (layer.rank > 0) json["rank"] = layer.rank;
@@ -279,88 +247,6 @@ Json layer_json(const PictureLayer& layer, const Frame& frame) {
     json["turning"] = geometry_json(layer, drawn_layer(layer, frame, kMostTurning));
   }
   return json;
-}
-
-// --- the static drawing -------------------------------------------------------------------------
-
-// The points of a layer in the first view of viewer.js, without perspective: x to the right, y
-// down.
-std::vector<std::array<int, 2>> projected(const PictureLayer& layer, const Frame& frame) {
-  // Turned by 0.6 and tilted by 0.35. Digits, as cos() may differ in its last bit among platforms.
-  constexpr double kCosTurn = 0.8253356149, kSinTurn = 0.5646424734;
-  constexpr double kCosTilt = 0.9393727128, kSinTilt = 0.3428978075;
-  std::vector<std::array<int, 2>> places;
-  for (const Point& point : layer.points) {
-    const Point p = 1000 * frame(point);
-    const double depth = kCosTurn * p[2] - kSinTurn * p[0];
-    places.push_back({static_cast<int>(std::lround(kCosTurn * p[0] + kSinTurn * p[2])),
-                      static_cast<int>(std::lround(kSinTilt * depth - kCosTilt * p[1]))});
-  }
-  return places;
-}
-
-// Two paths: edges of faces that look away, dashed; and the faces in front. On a convex solid these
-// are the hidden edges and the visible ones.
-std::array<std::string, 2> edge_paths(const PictureLayer& layer,
-                                      const std::vector<std::array<int, 2>>& places) {
-  std::array<std::string, 2> paths;
-  for (const auto& polygon : layer.polygons) {
-    std::int64_t area = 0;  // y points down: negative if counter-clockwise for the viewer
-    std::string path;
-    for (std::size_t k = 0; k < polygon.size(); ++k) {
-      const auto [x, y] = places[polygon[k]];
-      const auto [u, v] = places[polygon[(k + 1) % polygon.size()]];
-      area += std::int64_t{x} * v - std::int64_t{u} * y;
-      path += fmt::format("{}{} {}", k == 0 ? 'M' : 'L', x, y);
-    }
-    paths[area < 0 ? 1 : 0] += path + "z";
-  }
-  return paths;
-}
-
-std::string dot_path(const std::vector<std::array<int, 2>>& places) {
-  const std::size_t stride = (places.size() + kMostStaticDots - 1) / kMostStaticDots;
-  std::string path;
-  for (std::size_t k = 0; k < places.size(); k += stride) {
-    path += fmt::format("M{} {}h0", places[k][0], places[k][1]);
-  }
-  return path;
-}
-
-// Surfaces with edges as their edges, everything else as dots. Hidden edges lie below all dots.
-std::string static_drawing(const Picture& picture, const Frame& frame) {
-  std::string below, above;
-  std::array<int, 2> low = {0, 0}, high = {0, 0};
-  for (const PictureLayer& layer : picture.layers) {
-    if (!layer.shown) continue;
-    const auto places = projected(layer, frame);
-    for (const auto& place : places) {
-      for (int k : {0, 1}) {
-        low[k] = std::min(low[k], place[k]);
-        high[k] = std::max(high[k], place[k]);
-      }
-    }
-    const std::string color = escaped_markup(layer.color);
-    if (layer.edges && !layer.polygons.empty()) {
-      const auto [hidden, front] = edge_paths(layer, places);
-      below += fmt::format(R"(<path fill="none" stroke="{}" stroke-width="4" )"
-                           R"(stroke-dasharray="16 14" d="{}"/>)"
-                           "\n",
-                           color, hidden);
-      above += fmt::format(R"(<path fill="{0}" fill-opacity="{1}" stroke="{0}" stroke-width="8" )"
-                           R"(stroke-linejoin="round" d="{2}"/>)"
-                           "\n",
-                           color, std::min(layer.opacity, 0.5), front);
-    } else {
-      above += fmt::format(R"(<path stroke="{}" stroke-width="12" stroke-linecap="round" d="{}"/>)"
-                           "\n",
-                           color, dot_path(places));
-    }
-  }
-  return fmt::format(R"(<svg viewBox="{} {} {} {}" role="img" aria-label="A static drawing">)"
-                     "\n",
-                     low[0] - 30, low[1] - 30, high[0] - low[0] + 60, high[1] - low[1] + 60) +
-         below + above + "</svg>\n";
 }
 
 // As heatColor() of shapes.js.
@@ -393,13 +279,14 @@ std::string control_list(const std::vector<PictureLayer>& layers) {
   constexpr std::string_view kSwitch = R"(<label hidden><input type="checkbox" id="{}"> {}</label>)"
                                        "\n";
   bool moves = false;
-  std::size_t merges = 0, splits = 0, facets = 0, right = 0;
+  std::size_t merges = 0, splits = 0, joined = 0, facets = 0, right = 0;
   for (const PictureLayer& layer : layers) {
     if (layer.right) ++right;
     if (can_be_picked(layer)) facets += layer.polygons.size();
     moves = moves || !layer.away.isZero();
     if (layer.splits) {
       splits = std::max(splits, *layer.splits);
+      joined = std::max(joined, layer.joined.size());
     } else {
       merges = std::max(merges, layer.merges.size());
     }
@@ -421,109 +308,20 @@ std::string control_list(const std::vector<PictureLayer>& layers) {
   if (right > 0 && right < layers.size()) list += fmt::format(kSwitch, "pair", "side by side");
   if (moves) list += fmt::format(kSlider, "draw parts apart", "apart", 100, 0, "");
   if (merges > 0) list += fmt::format(kSlider, "merges", "merges", merges, merges, merges);
-  if (splits > 0) list += fmt::format(kSlider, "splits", "splits", splits, splits, splits);
+  const std::size_t steps = splits + joined;
+  if (steps > 0) {
+    const bool merge_again = joined > 0;
+    list += fmt::format(
+        kSlider, merge_again ? "splits, then merges" : "splits", "splits", steps, steps,
+        merge_again ? fmt::format("{} and {}", splits, joined) : std::to_string(splits));
+  }
   return list;
 }
 
 }  // namespace
 
-void PictureLayer::add(std::span<const Point> more,
-                       const std::vector<std::vector<std::uint32_t>>& faces) {
-  const auto first = static_cast<std::uint32_t>(points.size());
-  points.insert(points.end(), more.begin(), more.end());
-  for (std::vector<std::uint32_t> face : faces) {
-    for (std::uint32_t& corner : face) corner += first;
-    polygons.push_back(std::move(face));
-  }
-}
-
-Point drawn_at(const RationalPoint& vertex) {
-  constexpr double kLargest = std::numeric_limits<double>::max();
-  Point corner;
-  for (int k = 0; k < 3; ++k) {
-    corner[k] = std::clamp(to_double(vertex[k], Rounding::Nearest), -kLargest, kLargest);
-  }
-  return corner;
-}
-
-namespace {
-
-std::vector<Point> drawn_corners(const Polytope& solid) {
-  std::vector<Point> corners;
-  for (const RationalPoint& vertex : solid.vertices) corners.push_back(drawn_at(vertex));
-  return corners;
-}
-
-}  // namespace
-
-void PictureLayer::add(const Polytope& solid) { add(drawn_corners(solid), solid.facets); }
-
-namespace {
-
-// The numbers that people read: n.x + d <= 0 with |n| = 1; and the exact ones, unless these are the
-// same.
-std::string plane_text(const Halfspace& plane) {
-  const IntegerVector3& n = plane.normal();
-  const std::string exact = fmt::format("({}, {}, {}, {})", to_string(n[0]), to_string(n[1]),
-                                        to_string(n[2]), to_string(plane.offset()));
-  if (n.squaredNorm() == 1) return exact;
-  const long scale = -static_cast<long>(bit_length(n));
-  const auto near = [&](const Integer& x) {
-    return to_double(scale_by_power_of_two(Rational(x), scale), Rounding::Nearest);
-  };
-  const Point normal(near(n[0]), near(n[1]), near(n[2]));
-  const Point unit = normal / normal.norm();
-  return fmt::format("({:.6g}, {:.6g}, {:.6g}, {:.6g}), exactly {}", unit[0], unit[1], unit[2],
-                     near(plane.offset()) / normal.norm(), exact);
-}
-
-}  // namespace
-
-void PictureLayer::add_to_pick(const Polytope& solid, std::string solid_name) {
-  add_to_pick(drawn_corners(solid), solid.facets, solid.planes, std::move(solid_name));
-}
-
-void PictureLayer::add_to_pick(std::span<const Point> corners,
-                               const std::vector<std::vector<std::uint32_t>>& facets,
-                               std::span<const Halfspace> planes, std::string solid_name) {
-  CONVEXACT_ASSERT(facets.size() == planes.size());
-  add(corners, facets);
-  PictureSolid& solid = solids.emplace_back();
-  solid.name = std::move(solid_name);
-  for (const Halfspace& plane : planes) solid.planes.push_back(plane_text(plane));
-}
-
-void PictureLayer::add_ball(const Point& center, double radius) {
-  constexpr std::uint32_t kRings = 12, kSides = 24;
-  const double pi = std::acos(-1.0);
-  std::vector<Point> places;
-  std::vector<std::vector<std::uint32_t>> quads;
-  for (std::uint32_t i = 0; i <= kRings; ++i) {
-    const double polar = pi * i / kRings;
-    for (std::uint32_t j = 0; j < kSides; ++j) {
-      const double turn = 2 * pi * j / kSides;
-      places.push_back(center + radius * Point(std::sin(polar) * std::cos(turn),
-                                               std::sin(polar) * std::sin(turn), std::cos(polar)));
-      if (i == kRings) continue;
-      const std::uint32_t next = (j + 1) % kSides, row = i * kSides;
-      quads.push_back({row + j, row + kSides + j, row + kSides + next, row + next});
-    }
-  }
-  add(places, quads);
-}
-
-void PictureLayer::add_facet(const Polytope& solid, std::size_t facet) {
-  std::vector<Point> corners;
-  std::vector<std::uint32_t> polygon;
-  for (const std::uint32_t corner : solid.facets[facet]) {
-    polygon.push_back(static_cast<std::uint32_t>(corners.size()));
-    corners.push_back(drawn_at(solid.vertices[corner]));
-  }
-  add(corners, {polygon});
-}
-
 std::string picture_html(const Picture& picture) {
-  const Frame frame(picture.layers);
+  const PictureFrame frame(picture.layers);
   Json layers = Json::array();
   std::string list;
   for (const PictureLayer& layer : picture.layers) {

@@ -42,11 +42,13 @@ struct PictureLayer {
   /// By polygon, 0 to 1: its colour, from blue to red. Empty: `color`.
   std::vector<double> heat = {};
   /// Pairs of polygons whose groups become one, step by step; a group is named by its lowest
-  /// polygon, the lower name first. The page colours groups after as many steps as a reader asks
-  /// for. Empty: `color`.
+  /// polygon, the lower name first. A pair of a name with itself is a step that changes no colour.
+  /// The page colours groups after as many steps as a reader asks for. Empty: `color`.
   std::vector<std::array<std::uint32_t, 2>> merges = {};
   /// The last so many merges undo splits: a reader chooses a number of splits instead.
   std::optional<std::size_t> splits = {};
+  /// After all splits: pairs of groups, as above, that become one again, step by step.
+  std::vector<std::array<std::uint32_t, 2>> joined = {};
   /// The polygons are the facets of these solids, one solid after another. Empty: none can be
   /// picked.
   std::vector<PictureSolid> solids = {};

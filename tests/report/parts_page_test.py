@@ -3,6 +3,8 @@
 """parts_page_test.py PROGRAM DATA [SCREENSHOTS] - pictures of parts in headless Chromium: the answer stands first; where
 parts share a face one of them is seen and nothing flickers; a list of many parts sorts and shows one alone; what is cut
 open shows its inside and stays cut when it turns; what is wrong is seen first; 200 parts turn."""
+import array
+import base64
 import json
 import os
 import pathlib
@@ -159,6 +161,53 @@ def check_up(path):
     assert stands < 0.6 < 1 < lies, (lies, stands)
 
 
+def numbers_of(base64_text, kind):
+    return array.array(kind, base64.b64decode(base64_text))
+
+
+def groups_of(layer, splits, joins):
+    """The name of each triangle's group after so many splits and merges, by the definition: pairs join one after another."""
+    undone, again = (list(zip(pairs[::2], pairs[1::2])) for pairs in (
+        numbers_of(layer["merges"], "I"), numbers_of(layer.get("joined", ""), "I")))
+    names = list(range(1 + max(numbers_of(layer["polygonOf"], "I"))))
+    for kept, gone in undone[:len(undone) - splits] + again[:joins]:
+        assert names[kept] == kept and names[gone] == gone, "groups are named by their lowest triangle"
+        names = [kept if name == gone else name for name in names]
+    return names
+
+
+def check_steps(path, trace):
+    """A cut solid, step by step: one group at first, at most one more for each cut; then those of the leaves; in the end those
+    of the parts. A triangle in several leaves goes with the first."""
+    (layer,) = [layer for layer in layers_of(path) if "splits" in layer]
+    told = json.loads(pathlib.Path(trace).read_text())
+    splits, joins = len(told["cuts"]), sum(len(leaves) - 1 for leaves in told["parts"])
+    assert layer["splits"] == splits and len(numbers_of(layer["joined"], "I")) == 2 * joins > 0
+    leaf_of = [min(k for k, leaf in enumerate(told["leaves"]) if t in leaf["triangles"]) for t in range(len(told["triangles"]))]
+    part_of = [min(k for k, leaves in enumerate(told["parts"]) if leaf in leaves) for leaf in leaf_of]
+
+    def lowest(groups):
+        return [groups.index(group) for group in groups]
+
+    counts = [len(set(groups_of(layer, k, 0))) for k in range(splits + 1)]
+    assert counts[0] == 1 and all(before <= after <= before + 1 for before, after in zip(counts, counts[1:])), counts
+    assert groups_of(layer, splits, 0) == lowest(leaf_of)
+    assert groups_of(layer, splits, joins) == lowest(part_of)
+
+    def check(page):
+        page.evaluate(SIZE)
+        page.evaluate('document.querySelectorAll("#layers input").forEach((x, k) => { x.checked = k === 1; x.onchange(); })')
+        assert page.evaluate('document.getElementById("splits").labels[0].innerText.trim()').startswith("splits, then merges")
+        sights = []
+        for step, said in ((splits + joins, f"{splits} and {joins}"), (splits, f"{splits} and 0"), (0, "0 and 0")):
+            page.evaluate(f"{{ const s = document.getElementById('splits'); s.value = {step}; s.oninput(); }}")
+            assert page.evaluate('document.querySelector("#splits + output").textContent') == said
+            sights.append(page.evaluate(SIGHT))
+        assert len(set(sights)) == 3, "each step looks different"
+
+    on_page(path, check)
+
+
 def check_speed(path):
     def check(page):
         page.evaluate(SIZE)
@@ -204,6 +253,9 @@ def main():
         first = on_page("bin.html", lambda page: page.evaluate(FIRST))
         assert first.startswith("5 parts hold the solid; no point of them is farther than 3% of the diameter ("), first
 
+        run("decompose", data / "cases/cup.obj", "--method", "cut", "-o", "cup.obj", "--trace", "cup.json", "--picture", "cup.html")
+        check_steps("cup.html", "cup.json")
+
         # A part is missing; and one that reaches a unit too far. Both are seen at once, from wherever they are.
         pathlib.Path("one.obj").write_text(parts(((0, 0, 0), (2, 1, 1))))
         run("verify", "long.obj", "one.obj", "--union", "--picture", "missing.html", code=1)
@@ -237,6 +289,8 @@ def main():
 
         pathlib.Path("column.obj").write_text(box((0, 0, 0), (1, 1, 4)))
         run("simplify", "column.obj", "--faces", "6", "--picture", "column.html")
+        first = on_page("column.html", lambda page: page.evaluate(FIRST))
+        assert first == "6 halfspaces hold every point; nothing was removed", first
         check_up("column.html")
 
         run("simplify", data / "spot.obj", "--faces", "14", "--picture", "spot.html")

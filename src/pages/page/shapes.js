@@ -72,10 +72,11 @@ function heatColor(x, color) {
 function groupColor(name, color) {
   return color.setHSL(0.618034 * name % 1, 0.55, 0.45 + 0.2 * (0.754878 * name % 1));
 }
-// The name of each polygon's group after so many merges.
-function groupsAfter(merges, steps, count) {
+// The name of each polygon's group after so many merges, and so many of others that follow them.
+function groupsAfter(merges, steps, count, others = [], otherSteps = 0) {
   const parent = Uint32Array.from({length: count}, (_, k) => k);
   for (let k = 0; k < 2 * steps; k += 2) parent[merges[k + 1]] = merges[k];
+  for (let k = 0; k < 2 * otherSteps; k += 2) parent[others[k + 1]] = others[k];
   // A parent is lower than its child, so one pass in this order leads all to the top.
   for (let k = 0; k < count; ++k) parent[k] = parent[parent[k]];
   return parent;
@@ -100,16 +101,24 @@ function coloredGroup(layer) {
   }
   if (layer.merges) {
     const merges = numbersOf(layer.merges, Uint32Array), all = merges.length / 2;
-    const showAfter = steps => {
-      const names = groupsAfter(merges, Math.max(0, Math.min(steps, all)), count);
+    const joined = layer.joined ? numbersOf(layer.joined, Uint32Array) : [];
+    const showAfter = (steps, joins = 0) => {
+      const names = groupsAfter(merges, Math.max(0, Math.min(steps, all)), count, joined, joins);
       paint(polygon => groupColor(names[polygon], color));
     };
     if (layer.splits === undefined) {
-      group.userData.merge = showAfter;
+      group.userData.merge = steps => {
+        showAfter(steps);
+        return steps;
+      };
       showAfter(all);
     } else {
-      group.userData.split = splits => showAfter(all - splits);
-      group.userData.split(layer.splits);
+      group.userData.split = steps => {
+        const splits = Math.min(steps, layer.splits);
+        showAfter(all - splits, steps - splits);
+        return joined.length > 0 ? `${splits} and ${steps - splits}` : splits;
+      };
+      group.userData.split(layer.splits + joined.length / 2);
     }
   }
   return group;

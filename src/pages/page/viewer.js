@@ -91,8 +91,8 @@ if (sort) {
 
 for (const [id, step] of [["merges", "merge"], ["splits", "split"]]) {
   control(id, steps => {
-    document.querySelector(`#${id} + output`).textContent = steps;
-    for (const group of scene.children) group.userData[step]?.(steps);
+    const told = scene.children.map(group => group.userData[step]?.(steps)).filter(text => text !== undefined);
+    document.querySelector(`#${id} + output`).textContent = told[0];
   });
 }
 
