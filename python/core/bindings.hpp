@@ -60,12 +60,6 @@ Options taken(Options& options, const Fields<Request>& fields) {
   return of_table;
 }
 
-template <class Value, std::size_t n>
-Value chosen(const NameTable<Value, n>& table, const std::string& option, const std::string& text) {
-  if (const auto value = value_in(table, text)) return *value;
-  throw Error(ErrorCode::InvalidArgument, option + ": there is no '" + text + "'");
-}
-
 /// Integers and fractions, such as "-3" and "1/3".
 inline std::array<std::string, 3> text_of(const RationalPoint& p) {
   return {to_string(p[0]), to_string(p[1]), to_string(p[2])};

@@ -6,6 +6,7 @@
 #include "pages/picture.hpp"
 #include "proof/proof.hpp"
 #include "simplify/run_names.hpp"
+#include "wire/simplify_options.hpp"
 #include "wire/simplify_report.hpp"
 #include "wire/trace_json.hpp"
 
@@ -46,36 +47,28 @@ struct Simplified {
   SimplifyResult result;
 };
 
+// What the command line says by its outputs, and for all of its commands.
+Fields<SimplifyRequest> python_fields() {
+  using R = SimplifyRequest;
+  const auto read_precision = [](const std::string&, const std::string& text) {
+    const Precision precision = text == "32" ? Precision::Binary32 : Precision::Binary64;
+    return StoreRequest{precision, precision};
+  };
+  Fields<R> fields = {
+      count_field<R>("seed", &R::seed, {}, "of every random order"),
+      flag_field<R>("trace", &R::trace, "keep every step"),
+      flag_field<R>("record", &R::record, "keep what a proof needs"),
+      text_field<R>(
+          "precision", &R::store, read_precision, [](const StoreRequest&) { return "64"; },
+          "the numbers of the mesh and of the planes")};
+  fields.insert(fields.end(), simplify_fields().begin(), simplify_fields().end());
+  return fields;
+}
+
 SimplifyRequest simplify_request(const Options& options) {
+  static const Fields<SimplifyRequest> fields = python_fields();
   SimplifyRequest request;
-  for (const auto& [name, text] : options) {
-    if (name == "faces") {
-      request.faces = parse_count(name, text, {4, std::uint64_t(1) << 32});
-    } else if (name == "max_growth") {
-      request.max_growth = parse_rational(text);
-    } else if (name == "growth_of") {
-      request.growth_of = chosen(kCostMeasureNames, name, text);
-    } else if (name == "cost") {
-      request.cost = chosen(kCostMeasureNames, name, text);
-    } else if (name == "engine") {
-      request.engine = chosen(kEngineNames, name, text);
-    } else if (name == "verify") {
-      request.verify = chosen(kVerifyLevelNames, name, text);
-    } else if (name == "search") {
-      request.search.kind = chosen(kSearchKindNames, name, text);
-    } else if (name == "seed") {
-      request.seed = parse_count(name, text, {});
-    } else if (name == "trace") {
-      request.trace = text == "true";
-    } else if (name == "record") {
-      request.record = text == "true";
-    } else if (name == "precision") {
-      request.store.mesh = request.store.planes =
-          text == "32" ? Precision::Binary32 : Precision::Binary64;
-    } else {
-      throw Error(ErrorCode::InvalidArgument, "there is no option " + name);
-    }
-  }
+  apply(options, fields, request);
   return request;
 }
 
@@ -141,17 +134,7 @@ struct Inner {
 
 Inner inner(const PointSet& points, const Options& options, const py::object& progress) {
   InnerRequest request;
-  for (const auto& [name, text] : options) {
-    if (name == "vertices") {
-      request.vertices = parse_count(name, text, {4, std::uint64_t(1) << 32});
-    } else if (name == "max_loss") {
-      request.max_loss = parse_rational(text);
-    } else if (name == "engine") {
-      request.engine = chosen(kEngineNames, name, text);
-    } else {
-      request.verify = chosen(kVerifyLevelNames, name, text);
-    }
-  }
+  apply(options, inner_fields(), request);
   request.mesh = true;
   return {require_solid(interruptible(points.size(), progress, [&](const StageWatch& watch) {
     request.watch = watch;

@@ -6,45 +6,28 @@
 #include "io/json.hpp"
 #include "pages/picture.hpp"
 #include "wire/inner_report.hpp"
+#include "wire/simplify_options.hpp"
 #include "wire/trace_json.hpp"
 
 namespace convexact::cli {
 namespace {
 
+// Those that other runs do not have.
+const std::vector<std::string_view> kOfInnerRuns = {"vertices", "max_loss"};
+
 [[noreturn]] void reject_inner(const std::string& message) {
   throw Error(ErrorCode::InvalidArgument, message);
 }
 
-// An option that was given and has a meaning for halfspaces only; null if none was.
-const char* foreign_option(const SimplifyArguments& options) {
-  const SimplifyRequest& request = options.request;
-  return request.cost != CostMeasure::Volume            ? "--cost"
-         : !options.max_growth.empty()                  ? "--max-growth"
-         : request.growth_of                            ? "--growth-of"
-         : request.compare.bits != CompareLimits{}.bits ? "--tie-bits"
-         : !options.keep.empty()                        ? "--keep"
-         : options.total_faces                          ? "--total-faces"
-         : request.search.kind != SearchKind::None      ? "--search"
-         : options.moves                                ? "--moves"
-         : options.nodes                                ? "--nodes"
-         : options.center != "chebyshev"                ? "--center"
-                                                        : nullptr;
-}
-
 void require_sensible(const SimplifyArguments& options) {
-  if (const char* option = foreign_option(options)) {
-    reject_inner(std::string(option) + " does not apply to an inner run (--inner)");
-  }
-  if (options.request.engine == Engine::Float) {
-    reject_inner("--engine float: an inner run has the engines exact and filtered");
+  if (!options.keep.empty() || options.total_faces) {
+    reject_inner(std::string(options.keep.empty() ? "--total-faces" : "--keep") +
+                 " does not apply to an inner run (--inner)");
   }
   if (!options.output.proof.empty()) {
     reject_inner(
         "--proof: convexact-check proves outer runs; --trace holds every step of an inner "
         "one");
-  }
-  if (options.only.vertices && options.request.faces) {
-    reject_inner("--vertices and --faces: give one of them; n vertices have 2 n - 4 triangles");
   }
   options.output.require_sensible();
   if (options.output.precision == 32) {
@@ -68,17 +51,8 @@ void require_sensible(const SimplifyArguments& options) {
   }
 }
 
-InnerRequest inner_request(const SimplifyArguments& options) {
-  InnerRequest request;
-  request.vertices = options.only.vertices;
-  if (const auto& triangles = options.request.faces) {
-    request.vertices = *triangles / 2 + 2;  // 2 v - 4 triangles
-  }
-  if (!options.only.max_loss.empty()) {
-    request.max_loss = parse_share("--max-loss", options.only.max_loss);
-  }
-  request.engine = options.request.engine;
-  request.verify = options.request.verify;
+InnerRequest request_of(const SimplifyArguments& options) {
+  InnerRequest request = inner_request(options.given);
   request.seed = options.global.seed;
   request.costs = !options.output.trace.empty();
   for (const std::string& path : options.output.results) {
@@ -140,27 +114,24 @@ std::string summary_of(const InnerSolids& objects, const OutputOptions& output) 
 
 }  // namespace
 
-void add_inner_options(Command& command, InnerOnly& options) {
+void add_inner_options(Command& command, SimplifyArguments& options) {
   command.add_flag("--inner", options.inner,
                    "remove vertices of the hull instead: a solid inside, losing as little volume "
                    "as possible");
-  add_count(command, "--vertices", options.vertices, {4, std::uint64_t(1) << 32},
-            "with --inner: how many vertices to keep; or --faces, at most so many triangles");
-  command.add_option("--max-loss", options.max_loss,
-                     "with --inner: stop before more of the volume is lost, e.g. 5% or 0.05");
+  add_fields(command, options.given.bound(inner_fields(), kOfInnerRuns));
 }
 
-void require_inner(const InnerOnly& options) {
-  const char* option = options.vertices           ? "--vertices"
-                       : options.max_loss.empty() ? nullptr
-                                                  : "--max-loss";
-  if (option == nullptr || options.inner) return;
-  reject_inner(std::string(option) + " applies only to an inner run; give --inner as well");
+void require_inner(const SimplifyArguments& options) {
+  if (options.inner) return;
+  for (const auto& [info, text] : options.given.all()) {
+    if (!is_wanted(*info, kOfInnerRuns)) continue;
+    reject_inner(option_of(*info) + " applies only to an inner run; give --inner as well");
+  }
 }
 
 int run_inner(const SimplifyArguments& options) {
   require_sensible(options);
-  const InnerRequest wanted = inner_request(options);
+  const InnerRequest wanted = request_of(options);
   require_outputs(options.output.all_paths(), options.inputs);
   CommandRun run(options.global);
   std::vector<SceneObject> scene = run.read(options.inputs, options.scene);
@@ -180,7 +151,7 @@ int run_inner(const SimplifyArguments& options) {
     return run.end_flat(flat->name, flat->reason);
   }
   auto& objects = std::get<std::vector<FoundObject<InnerResult>>>(found);
-  if (!options.request.exact_volumes) {
+  if (!options.exact_values) {
     for (auto& object : objects) {
       object.result.input_volume.exact.reset();
       object.result.output_volume.exact.reset();

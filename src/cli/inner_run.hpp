@@ -7,34 +7,27 @@
 
 #include "cli/outputs.hpp"
 #include "convexact/simplify.hpp"
+#include "wire/field.hpp"
 
 namespace convexact::cli {
-
-/// The options of simplify that only an inner run has.
-struct InnerOnly {
-  bool inner = false;
-  std::optional<std::size_t> vertices;
-  std::string max_loss;
-};
 
 struct SimplifyArguments {
   GlobalOptions global;
   std::vector<std::string> inputs;
   SceneOptions scene;
   OutputOptions output;
-  SimplifyRequest request;  ///< Without what the fields below say.
+  bool inner = false;
+  GivenFields given;  ///< Of simplify_fields(), and of inner_fields().
   std::optional<std::size_t> total_faces;
   std::vector<std::string> keep;
-  std::string max_growth, center = "chebyshev";
-  std::optional<std::size_t> moves, nodes;  ///< Of the search.
-  InnerOnly only;
+  bool exact_values = false;
   ImplicitOptions implicit;
 };
 
-void add_inner_options(Command& command, InnerOnly& options);
+void add_inner_options(Command& command, SimplifyArguments& options);
 
-/// @throws Error InvalidArgument for one of these options without --inner.
-void require_inner(const InnerOnly& options);
+/// @throws Error InvalidArgument for an option of inner runs alone without --inner.
+void require_inner(const SimplifyArguments& options);
 
 /// simplify --inner. @return The exit code.
 /// @throws Error InvalidArgument for an option that has no meaning here.

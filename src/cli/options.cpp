@@ -7,6 +7,8 @@
 #include <cctype>
 #include <utility>
 
+#include "wire/simplify_options.hpp"
+
 namespace convexact::cli {
 namespace {
 
@@ -93,16 +95,6 @@ double parse_seconds(const std::string& option, const std::string& text) {
   } catch (const Error&) {  // told below
   }
   expected(option, fmt::format("seconds, more than 0 and at most {:.0f}", kLongest), text);
-}
-
-Rational parse_share(const std::string& option, const std::string& text) {
-  const bool percent = text.ends_with('%');
-  try {
-    const Rational share = parse_rational(text.substr(0, text.size() - (percent ? 1 : 0)));
-    if (share >= 0) return percent ? Rational(share / 100) : share;
-  } catch (const Error&) {  // told below
-  }
-  expected(option, "a share such as 5% or 0.05", text);
 }
 
 std::string trimmed(const std::string& text) {
@@ -209,9 +201,7 @@ Option add_bytes(Command& command, const std::string& names, std::uint64_t& valu
 }
 
 Option add_tie_bits(Command& command, long& bits, const std::string& meaning) {
-  return command.add_option("--tie-bits", bits, meaning)
-      ->between(128, 1L << 20)
-      ->capture_default_str();
+  return add_count(command, "--tie-bits", bits, kTieBits, meaning);
 }
 
 Option add_seconds(Command& command, const std::string& names, double& value,
@@ -238,20 +228,6 @@ Option add_center_option(Command& command, std::string& text) {
           "center of the polar dual: chebyshev, or X,Y,Z strictly inside; the answer does not "
           "depend on it")
       ->capture_default_str();
-}
-
-std::optional<RationalPoint> parse_center(const std::string& text) {
-  if (text == "chebyshev") return std::nullopt;
-  const std::vector<std::string> words = split(text, ',');
-  if (words.size() == 3) {
-    try {
-      return RationalPoint(parse_rational(words[0]), parse_rational(words[1]),
-                           parse_rational(words[2]));
-    } catch (const Error&) {  // told below
-    }
-  }
-  throw Error(ErrorCode::InvalidArgument,
-              "--center: expected chebyshev or three numbers X,Y,Z, found '" + text + "'");
 }
 
 }  // namespace convexact::cli

@@ -25,9 +25,6 @@ namespace convexact::cli {
 /// A decimal that is read by nearest_double(). @throws Error InvalidArgument.
 [[nodiscard]] double parse_decimal(const std::string& option, const std::string& text);
 
-/// A share, 0 or more: "5%", "0.05" or "1/20". @throws Error InvalidArgument.
-[[nodiscard]] Rational parse_share(const std::string& option, const std::string& text);
-
 /// Without blanks and ends of lines around it.
 [[nodiscard]] std::string trimmed(const std::string& text);
 
@@ -126,10 +123,6 @@ Option add_tie_bits(Command& command, long& bits, const std::string& meaning);
 
 /// --center, of the polar dual; the default is shown.
 Option add_center_option(Command& command, std::string& text);
-
-/// The point that --center spells as "X,Y,Z"; nothing for "chebyshev". @throws Error
-/// InvalidArgument.
-[[nodiscard]] std::optional<RationalPoint> parse_center(const std::string& text);
 
 /// An option that takes one of a few words, in upper or lower case; the help shows them and the
 /// default, if there is one. @param value  A `Value`, or an optional one.

@@ -10,7 +10,7 @@
 #include "convexact/scene.hpp"
 #include "convexact/simplify.hpp"
 #include "io/json.hpp"
-#include "simplify/run_names.hpp"
+#include "wire/simplify_options.hpp"
 #include "wire/simplify_report.hpp"
 #include "wire/stage_report.hpp"
 
@@ -43,49 +43,23 @@ void require_scene(const SimplifyArguments& options) {
   const auto reject = [](const std::string& why) {
     throw Error(ErrorCode::InvalidArgument, "--total-faces " + why);
   };
-  if (options.request.faces) reject("is for all parts together and --faces for each: name one");
+  if (options.given.has("faces"))
+    reject("is for all parts together and --faces for each: name one");
   if (!options.scene.parts && options.inputs.size() < 2) {
     reject("is for several parts: give --parts, or several inputs");
   }
-  if (options.center != "chebyshev") reject("has a center for each part: leave --center out");
-  if (options.request.search.kind != SearchKind::None) {
+  if (options.given.has("center")) reject("has a center for each part: leave --center out");
+  if (options.given.has("search")) {
     reject("distributes halfspaces by removals: give --faces for each part to --search");
   }
 }
 
-SearchRequest search_of(const SimplifyArguments& options) {
-  SearchRequest request = options.request.search;
-  if (options.moves) {
-    if (request.kind != SearchKind::Local && request.kind != SearchKind::Optimal) {
-      throw Error(ErrorCode::InvalidArgument,
-                  "--moves counts the kicks of a local search: give --search local or optimal as "
-                  "well");
-    }
-    request.kicks = *options.moves;
-  }
-  if (options.nodes) {
-    if (request.kind != SearchKind::Optimal) {
-      throw Error(ErrorCode::InvalidArgument,
-                  "--nodes limits the search for the least volume: give --search optimal as well");
-    }
-    request.nodes = *options.nodes;
-  }
-  return request;
-}
-
 SimplifyRequest request_of(const SimplifyArguments& options) {
-  SimplifyRequest request = options.request;
-  request.search = search_of(options);
   if (options.total_faces) require_scene(options);
-  if (!options.max_growth.empty())
-    request.max_growth = parse_share("--max-growth", options.max_growth);
-  if (request.growth_of && !request.max_growth) {
-    throw Error(ErrorCode::InvalidArgument,
-                "--growth-of says what --max-growth limits: give --max-growth as well");
-  }
+  SimplifyRequest request = simplify_request(options.given);
+  request.exact_volumes = options.exact_values;
   request.trace = !options.output.trace.empty();
   request.record = !options.output.proof.empty();
-  request.center = parse_center(options.center);
   request.seed = options.global.seed;
   request.store = options.output.store_request();
   return request;
@@ -192,7 +166,7 @@ void require_plain(const SimplifyArguments& options) {
   options.implicit.require_complete(options.inputs);
   if (!options.implicit.is_given()) return;
   require_outputs(options.output.all_paths(), {options.implicit.file});
-  const char* option = options.only.inner    ? "--inner"
+  const char* option = options.inner         ? "--inner"
                        : options.scene.parts ? "--parts"
                        : options.total_faces ? "--total-faces"
                                              : nullptr;
@@ -203,8 +177,8 @@ void require_plain(const SimplifyArguments& options) {
 
 int run_simplify(const SimplifyArguments& options) {
   require_plain(options);
-  require_inner(options.only);
-  if (options.only.inner) return run_inner(options);
+  require_inner(options);
+  if (options.inner) return run_inner(options);
   const SimplifyRequest request = request_of(options);
   return options.total_faces ? run_together(options, request) : run_each(options, request);
 }
@@ -218,48 +192,26 @@ void add_simplify_command(Command& program, int& exit_code) {
                                              "volume as possible, or area, or mean width");
   command.footer(kSimplifyFooter);
   add_input_argument(command, options->inputs);
-  add_faces(command, options->request.faces, "how many halfspaces to keep, at least 4");
+  const SimplifyRequest usual;
+  const auto add_options = [&](const std::vector<std::string_view>& names) {
+    add_fields(command, options->given.bound(simplify_fields(), names, &usual));
+  };
+  add_options({"faces"});
   add_count(command, "--total-faces", options->total_faces, {4, std::uint64_t(1) << 32},
             "how many halfspaces to keep in all parts together, at least 4 for each: the cheapest "
             "removal of all parts goes first");
   add_keep_option(command, options->keep);
-  command.add_option("--max-growth", options->max_growth,
-                     "stop before the measure of --cost grows by more, e.g. 5% or 0.05");
-  add_choice(command, "--growth-of", options->request.growth_of, kCostMeasureNames,
-             "what --max-growth limits, if not the measure of --cost");
-  add_choice(command, "--cost", options->request.cost, kCostMeasureNames,
-             "the measure to which each removal adds the least: for fewer false hits of points, of "
-             "rays, or of "
-             "planes");
-  add_tie_bits(
-      command, options->request.compare.bits,
-      "mean widths that neither this many bits nor a proof can order count as equal; the result "
-      "says so");
+  add_options({"max_growth", "growth_of", "cost", "tie_bits"});
   add_output_options(command, options->output);
   command.add_option("--trace", options->output.trace,
                      "every step as JSON, for a program that replays it");
   command.add_option("--proof", options->output.proof,
                      "the run as a text that convexact-check proves again, independently");
   add_scene_options(command, options->scene);
-  add_choice(
-      command, "--engine", options->request.engine, kEngineNames,
-      "rationals everywhere; the same answer, faster; or doubles that choose, the result still "
-      "proven");
-  add_choice(command, "--search", options->request.search.kind, kSearchKindNames,
-             "after the removals, exchange kept halfspaces for facets next to them as long as the "
-             "solid shrinks; local tries random exchanges, too; optimal then tries all other "
-             "choices, and proves the volume the least (for hulls of up to about 40 facets)");
-  add_count(command, "--moves", options->moves, {0, std::uint64_t(1) << 32},
-            "with --search local or optimal: how many random exchanges are tried (default: 200)");
-  add_count(command, "--nodes", options->nodes, {1, std::uint64_t(1) << 48},
-            "with --search optimal: how many states are looked at before it ends without a proof, "
-            "as an interrupt ends it (default: 10000000)");
-  add_choice(command, "--verify", options->request.verify, kVerifyLevelNames,
-             "how much of each step is proven again");
-  add_center_option(command, options->center);
-  command.add_flag("--exact-values", options->request.exact_volumes,
+  add_options({"engine", "search", "moves", "nodes", "verify", "center"});
+  command.add_flag("--exact-values", options->exact_values,
                    "with --json: volumes as fractions too");
-  add_inner_options(command, options->only);
+  add_inner_options(command, *options);
   add_implicit_options(command, options->implicit);
   finish_command(command, options, exit_code, run_simplify);
   add_verbose_option(command, options->global);

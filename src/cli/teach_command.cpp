@@ -9,6 +9,7 @@
 #include "simplify/run_names.hpp"
 #include "teach/lesson.hpp"
 #include "teach/lesson_page.hpp"
+#include "wire/simplify_options.hpp"
 #include "wire/stage_report.hpp"
 
 namespace convexact::cli {
@@ -98,7 +99,7 @@ std::string summary_of(const Lesson& lesson, const OutputFiles& files) {
 int run_teach(const TeachArguments& options) {
   require_sensible(options);
   LessonRequest request = options.request;
-  request.center = parse_center(options.center);
+  request.center = parse_center("--center", options.center);
   request.seed = options.global.seed;
   CommandRun run(options.global);
   const SceneObject object = run.read_one(options.input, options.scene);

@@ -7,6 +7,7 @@
 #include "convexact/scene.hpp"
 #include "convexact/verify_order.hpp"
 #include "simplify/run_names.hpp"
+#include "wire/simplify_options.hpp"
 #include "wire/trace_verdict.hpp"
 
 namespace convexact::cli {

@@ -13,6 +13,7 @@
 #include "lab/stress/stress.hpp"
 #include "lab/stress/stress_report.hpp"
 #include "simplify/run_names.hpp"
+#include "wire/simplify_options.hpp"
 #include "wire/simplify_report.hpp"
 
 namespace convexact::cli {

@@ -89,10 +89,12 @@ template <class Request>
 /// Options as they were given, for a request that is yet to be made.
 class GivenFields {
  public:
-  /// Options that are checked and kept when they are read. They have no defaults.
+  /// Options that are checked and kept when they are read.
+  /// @param defaults  Has the values of those that are not given; null if that is open.
   template <class Request>
   [[nodiscard]] BoundFields bound(const Fields<Request>& fields,
-                                  const std::vector<std::string_view>& names = {}) {
+                                  const std::vector<std::string_view>& names = {},
+                                  const Request* defaults = nullptr) {
     BoundFields bound;
     for (const Field<Request>& field : fields) {
       if (!is_wanted(field, names)) continue;
@@ -101,7 +103,7 @@ class GivenFields {
         field.read(unused, option, text);
         given_.emplace_back(&field, text);
       };
-      bound.push_back({&field, keep, ""});
+      bound.push_back({&field, keep, defaults == nullptr ? "" : field.write(*defaults)});
     }
     return bound;
   }

@@ -7,6 +7,7 @@
 #include "proof/proof.hpp"
 #include "simplify/run_names.hpp"
 #include "wire/mass_report.hpp"
+#include "wire/simplify_options.hpp"
 #include "wire/tie_report.hpp"
 
 namespace convexact {

@@ -6,14 +6,8 @@
 
 #include "convexact/simplify.hpp"
 #include "io/json_document.hpp"
-#include "io/names.hpp"
 
 namespace convexact {
-
-inline constexpr auto kSearchKindNames = name_table<SearchKind>({{SearchKind::None, "none"},
-                                                                 {SearchKind::Walk, "walk"},
-                                                                 {SearchKind::Local, "local"},
-                                                                 {SearchKind::Optimal, "optimal"}});
 
 /// One result without its stages.
 [[nodiscard]] Json result_json(const SimplifyResult& result);
