@@ -21,7 +21,8 @@ import sys
 import tempfile
 import time
 
-ROOT = pathlib.Path(__file__).resolve().parents[2]
+from support.peer_environment import FOLDER, ROOT, Skipped, environment, require
+
 DATA = ROOT / 'tests' / 'data'
 SHAPES = ['bin', 'cup', 'tube', 'spot', 'fandisk', 'homer', 'rocker-arm']
 PEERS = {'coacd': '1.0.14', 'miniacd': '0.1.5', 'vhacdx': '0.1.1'}
@@ -63,27 +64,6 @@ with open(target, 'w') as out:
             out.write('f ' + ' '.join(str(int(c) + base) for c in face) + '\\n')
         base += len(corners)
 '''
-
-
-class Skipped(Exception):
-    """With the reason."""
-
-
-def environment(folder):
-    """The Python of the peers' environment."""
-    python = folder / 'bin' / 'python'
-    if not python.exists():
-        made = subprocess.run([sys.executable, '-m', 'venv', folder], capture_output=True, text=True, check=False)
-        if made.returncode != 0:
-            raise Skipped('no environment: ' + (made.stderr.strip().splitlines() or ['python3 -m venv failed'])[-1])
-    return python
-
-
-def install(python, name):
-    found = subprocess.run([python, '-m', 'pip', 'install', '--quiet', '--disable-pip-version-check', 'numpy',
-                            f'{name}=={PEERS[name]}'], capture_output=True, text=True, check=False)
-    if found.returncode != 0:
-        raise Skipped('not to be had: ' + (found.stderr.strip().splitlines() or ['pip failed'])[-1][:100])
 
 
 def judge(options, mesh, parts, distance):
@@ -151,7 +131,7 @@ def main():
     parser.add_argument('--meshes', help='a folder with fandisk.obj, homer.obj and rocker-arm.obj')
     parser.add_argument('--only', action='append', choices=SHAPES)
     parser.add_argument('--peer', action='append', choices=list(PEERS))
-    parser.add_argument('--environment', type=pathlib.Path, default=ROOT / 'build' / 'peers')
+    parser.add_argument('--environment', type=pathlib.Path, default=FOLDER)
     parser.add_argument('--json')
     options = parser.parse_args()
     rows, reasons = [], {}
@@ -159,7 +139,7 @@ def main():
         python = environment(options.environment)
         for name in options.peer or PEERS:
             try:
-                install(python, name)
+                require(python, name, PEERS[name])
             except Skipped as reason:
                 reasons[name] = str(reason)
     except Skipped as reason:

@@ -1,8 +1,9 @@
 # SPDX-License-Identifier: MIT
 """What the experiments on the figures of [Jacobson2026] share: options, meshes, runs, and the record of what was found.
 
-A record is one object: {"id", "figure", "command", "claims": [{"paper", "here", "verdict"}], "tables": [{"title",
-"head", "rows"}], "skipped": [...]}. It is printed as Markdown, written by --json, and docs/reproduction.md is made of it.
+A record is one object: {"id", "figure", "command", "claims": [{"paper", "here", "pchs", "interval", "why", "verdict"}],
+"tables": [{"title", "head", "rows"}], "skipped": [...], "data": {...}}. It is printed as Markdown, written by --json, and
+docs/reproduction.md is made of it.
 """
 import argparse
 import json
@@ -15,7 +16,7 @@ ROOT = pathlib.Path(__file__).resolve().parents[3]
 SHIPPED = ('spot', 'teapot', 'bunny')
 # May not be shipped: named and skipped where they are absent. The bunny there is the one that is shipped.
 OTHERS = ('suzanne', 'cow', 'homer', 'fandisk', 'rocker-arm')
-AS_CLAIMED, DIFFERS, NOT_COMPARABLE = 'as claimed', 'differs', 'not comparable'
+AS_CLAIMED, SAME_ORDER, DIFFERS, NOT_COMPARABLE = 'as claimed', 'same order', 'differs', 'not comparable'
 
 
 class Experiment:
@@ -66,11 +67,53 @@ class Experiment:
             sys.exit(f'{" ".join(map(str, arguments))}: exit code {ran.returncode}\n{ran.stdout[-2000:]}{ran.stderr[-2000:]}')
         return json.loads(ran.stdout)
 
-    def claim(self, paper, here, verdict):
-        """verdict: a boolean, or one of the words above."""
+    def paper_program(self):
+        """The paper's own program; None if it cannot be had, which the record then says."""
+        from support.paper_program import PaperProgram  # pylint: disable=import-outside-toplevel,cyclic-import
+        from support.peer_environment import Skipped  # pylint: disable=import-outside-toplevel
+        try:
+            return PaperProgram(self)
+        except Skipped as reason:
+            self.record['skipped'].append(f'pchs: {reason}')
+            return None
+
+    def paper_ratios(self, paper, mesh, counts):
+        """Its volumes over that of the hull, as text; of no program, or where it fails, None."""
+        if paper is None:
+            return {count: None for count in counts}
+        with scratch() as folder:
+            hull, volume, _ = self.hull(mesh, folder)
+            return {count: made.get('ratio') for count, made in paper.judged(hull, counts, volume).items()}
+
+    def hull(self, mesh, folder):
+        """The hull of a mesh as an OBJ, so that every program gets the same doubles: the file, its volume, its facets."""
+        target = f'{folder}/hull.obj'
+        answer = self.run('hull', mesh, '-o', target, '--measures', 'volume', '--digits', 17)
+        return target, answer['volume']['value'], answer['input']['halfspaces']
+
+    def claim(self, paper, here, verdict, pchs=None, interval=None, why=None):
+        """verdict: a boolean, or one of the words above; pchs: the number of the paper's own program on the same input;
+        interval: for which numbers the verdict is "as claimed", and why for these."""
         if isinstance(verdict, bool):
             verdict = AS_CLAIMED if verdict else DIFFERS
-        self.record['claims'].append({'paper': paper, 'here': here, 'verdict': verdict})
+        self.record['claims'].append({'paper': paper, 'here': here, 'pchs': pchs or '-', 'interval': interval or '-',
+                                      'why': why or '-', 'verdict': verdict})
+
+    @staticmethod
+    def within(value, low, high, order=None):
+        """As claimed in the interval; of the same order within `order` = (low, high), if that is given; else it differs."""
+        if low <= value <= high:
+            return AS_CLAIMED
+        return SAME_ORDER if order and order[0] <= value <= order[1] else DIFFERS
+
+    @staticmethod
+    def all_of(count, total):
+        """For a claim about every one."""
+        return AS_CLAIMED if count == total else DIFFERS
+
+    def data(self, name, values):
+        """Numbers of a figure."""
+        self.record.setdefault('data', {})[name] = values
 
     def table(self, title, head, rows):
         self.record['tables'].append({'title': title, 'head': list(map(str, head)),
@@ -90,12 +133,19 @@ def table_lines(head, rows):
     return [f'| {" | ".join(head)} |', '|' + '---|' * len(head), *(f'| {" | ".join(row)} |' for row in rows)]
 
 
+CLAIM_HEAD = {'paper': 'the paper', 'here': 'here', 'pchs': 'its program here', 'interval': 'as claimed if', 'why': 'since',
+              'verdict': 'verdict'}
+
+
+def claim_lines(claims):
+    return table_lines(list(CLAIM_HEAD.values()), [[claim[key] for key in CLAIM_HEAD] for claim in claims])
+
+
 def markdown(record, heading='##'):
     """A record as a section of a page."""
     lines = [f'{heading} {record["id"]}: {record["figure"]}', '', f'`{record["command"]}`', '']
     if record['claims']:
-        lines += table_lines(['the paper', 'here', 'verdict'],
-                             [[claim['paper'], claim['here'], claim['verdict']] for claim in record['claims']]) + ['']
+        lines += claim_lines(record['claims']) + ['']
     for table in record['tables']:
         lines += [table['title'] + ':', '', *table_lines(table['head'], table['rows']), '']
     if record['skipped']:
