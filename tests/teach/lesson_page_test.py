@@ -307,6 +307,42 @@ def check_motion(path):
         page.close()
 
 
+# What a reader sees of sizes: the box of the solid, the length of a pixel by the scale bar, the caption, and whether the first
+# solid is there as a ghost.
+SIZES = """(() => {
+  const svg = document.querySelector("#solid svg"), all = [...svg.querySelectorAll(".face:not(.cap)")].map(face => face.getBBox());
+  const bar = svg.querySelector("path.bar").getBBox();
+  return {box: [Math.min(...all.map(b => b.x)), Math.min(...all.map(b => b.y)), Math.max(...all.map(b => b.x + b.width)),
+    Math.max(...all.map(b => b.y + b.height))], pixel: Number(svg.querySelector("text.bar").textContent) / bar.width,
+    caption: document.querySelector("#solid figcaption span").textContent, ghost: svg.querySelectorAll(".ghost").length};
+})()"""
+
+
+def check_frame(path):
+    """A solid that grows is drawn no smaller than before, unless the caption says how many times smaller; the scale bar agrees."""
+    page, before, factors = opened(path), None, []
+    try:
+        names = page.evaluate("steps.filter(step => /^removal-[0-9]+$/.test(step.id)).map(step => step.id)")
+        for place, name in enumerate(names):
+            page.evaluate(f"go(steps.findIndex(step => step.id === {json.dumps(name)}))")
+            seen = page.evaluate(SIZES)
+            said = re.search(r"Drawn ([0-9]+) times smaller", seen["caption"])
+            seen["factor"] = int(said[1]) if said else 1
+            assert (seen["ghost"] > 0) == (place > 0), (name, seen)
+            if before and before["factor"] == seen["factor"]:
+                assert all(old >= new - 0.5 for old, new in zip(before["box"][:2], seen["box"][:2])), (name, before, seen)
+                assert all(old <= new + 0.5 for old, new in zip(before["box"][2:], seen["box"][2:])), (name, before, seen)
+            if before:
+                grown = seen["pixel"] / before["pixel"] * before["factor"] / seen["factor"]
+                assert abs(grown - 1) < 0.02, (name, before, seen)
+            factors.append(seen["factor"])
+            before = seen
+        assert not page.complaints, page.complaints
+    finally:
+        page.close()
+    assert factors[0] == 1 and factors == sorted(factors) and factors[-1] > 1, factors
+
+
 def main():
     program, data = (pathlib.Path(argument).resolve() for argument in sys.argv[1:3])
     if len(sys.argv) > 3:
@@ -327,7 +363,9 @@ def main():
                              ("huge", ["huge", "--points", "8"])):
             shape = os.path.join(folder, name + ".obj")
             subprocess.run([program, "generate", *family, "-o", shape], check=True, stdout=subprocess.DEVNULL)
-            check_lesson(program, name, [shape, "--precision", "64"], folder, CHAPTERS)
+            page, _, _ = check_lesson(program, name, [shape, "--precision", "64"], folder, CHAPTERS)
+            if name == "icosahedron":
+                check_frame(page)
         planes = os.path.join(folder, "planes.json")
         subprocess.run([program, "hull", os.path.join(folder, "cube.obj"), "-o", planes], check=True, stdout=subprocess.DEVNULL)
         check_lesson(program, "planes", [planes], folder, CHAPTERS)

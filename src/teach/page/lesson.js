@@ -67,8 +67,10 @@ function go(to, isNew = true) {
     if (isHere && link.offsetParent) element("contents").scrollTop = link.offsetTop - element("contents").clientHeight / 2;
   }
   if (isNew) history.replaceState(null, "", `#${step.id}`);
+  const radius = panes.solid.radius;
   show();
   if (step.grows) grow();
+  else if (before.chapter === step.chapter) panes.solid.zoomFrom(radius);
 }
 
 // The cap grows once when its step is shown, unless the reader prefers that nothing moves.
@@ -163,6 +165,7 @@ window.addEventListener("hashchange", () => land(false));
 const scales = lesson.frame.scale;
 element("how").textContent = "Coordinates are rounded to be drawn; numbers in the text are exact, and one that ends in dots is cut off there." +
   (new Set(scales).size > 1 ? " The solid is long and thin, so each axis is drawn to a scale of its own." : "");
+if (new Set(scales).size === 1) panes.solid.measureBy(1 / Rational.of(scales[0]).toNumber());
 // A link to a step or a chapter leads to the top of the page, where the panes are.
 element("anchors").innerHTML = [...new Set([...steps, ...chapters].map(({id}) => id))].map(id => `<i id="${id}"></i>`).join("");
 fillContents();

@@ -28,8 +28,14 @@ class Pane {
     this.items = [];
     this.zoom = 1;
     this.radius = 1;
+    this.unit = null;
     camera.listeners.push(() => this.draw());
     this.follow(pick);
+  }
+
+  // How long a drawn unit is in those of the input, for a scale bar.
+  measureBy(unit) {
+    this.unit = unit;
   }
 
   // What is to be seen, and the radius about the origin that must fit. Items are, from the outside to the inside:
@@ -39,6 +45,20 @@ class Pane {
     this.items = items;
     this.radius = radius || 1;
     this.draw();
+  }
+
+  // From the frame before to the one at hand, unless the reader prefers that nothing moves.
+  zoomFrom(before) {
+    const to = this.radius, items = this.items, from = performance.now();
+    if (before === to || matchMedia("(prefers-reduced-motion: reduce)").matches) return;
+    const frame = now => {
+      if (this.items !== items) return;
+      const share = Math.min(1, Math.max(0, (now - from) / 700));
+      this.radius = before * (to / before) ** share;
+      this.draw();
+      if (share < 1) requestAnimationFrame(frame);
+    };
+    requestAnimationFrame(frame);
   }
 
   draw() {
@@ -81,13 +101,25 @@ class Pane {
       }
     }
     // Dots and lines can be seen through faces, so they may come last.
-    this.svg.innerHTML = behind.join("") + front.join("") + within.join("") + this.labels(labels).join("");
+    const bar = this.bar(scale);
+    this.svg.innerHTML = behind.join("") + front.join("") + within.join("") + bar.drawn + this.labels(labels, bar.boxes).join("");
+  }
+
+  // A length of one digit in the lower left corner, and the boxes that it takes; nothing without a unit.
+  bar(scale) {
+    const {x, y, height} = this.svg.viewBox.baseVal, most = 90 * this.unit / scale;
+    if (!(most > 0 && isFinite(most))) return {drawn: "", boxes: []};
+    const power = 10 ** Math.floor(Math.log10(most)), length = power * [5, 2, 1].find(digit => digit * power <= most || digit === 1);
+    const width = length / this.unit * scale, text = String(Number(length.toPrecision(1))), left = x + 12, low = y + height - 12;
+    const half = 4.1 * text.length + 2, middle = left + width + 6 + half;
+    return {boxes: [[left, low - 16, middle + half, low + 6]], drawn: `<path class="bar" d="M${left} ${low - 4}v8m0 -4h${width.toFixed(2)}m0 -4v8"/>` +
+      `<text class="bar" x="${middle.toFixed(1)}" y="${low + 4}">${escaped(text)}</text>`};
   }
 
   // Each where it covers no other one and lies in the pane; what is chosen goes first, what is hidden last, and what
   // finds no place is left out: the tables have all. Twice the same at one place is one.
-  labels(wanted) {
-    const {x: left, y: top, width, height} = this.svg.viewBox.baseVal, taken = [];
+  labels(wanted, taken) {
+    const {x: left, y: top, width, height} = this.svg.viewBox.baseVal;
     const rank = ({mark}) => /\bchosen\b/.test(mark) ? 0 : /\b(back|far)\b/.test(mark) ? 2 : 1;
     return [...wanted].sort((a, b) => rank(a) - rank(b)).flatMap(label => {
       const size = rank(label) === 0 ? 16 : 13, half = 0.31 * size * label.text.length + 2;

@@ -38,13 +38,29 @@ display.doubles = (lesson.removals || []).some(removal => {
 
 const volumeBefore = k => k === 0 ? "/topology/volume" : `/removals/${k - 1}/volume_after`;
 const stepName = removal => `Removal ${removal.step}`;
-const solidScene = (k, marks) => [solidItem(surfaceAfter(k), marks)];
-const reach = () => Math.max(...Array.from({length: lesson.removals.length + 1}, (_, k) => radiusOf([solidItem(surfaceAfter(k))])));
-let wholeReach = null;  // how far the last solid reaches, where that is not much farther than the first one
-function reachOf(k) {
-  wholeReach ??= reach();
-  const start = radiusOf([solidItem(surfaceAfter(0))]);
-  return wholeReach <= 2.2 * start ? wholeReach : radiusOf([solidItem(surfaceAfter(Math.min(k + 1, lesson.removals.length)))]);
+const firstSolid = () => solidItem(surfaceAfter(0));
+let wholeReach = null;  // how far the largest solid reaches
+// The frame stays; where all solids do not fit in one that shows the first one well, it doubles when the next does not.
+function frameOf(k) {
+  const last = lesson.removals.length, start = radiusOf([firstSolid()]);
+  wholeReach ??= Math.max(...Array.from({length: last + 1}, (_, n) => radiusOf([solidItem(surfaceAfter(n))])));
+  if (wholeReach <= 2.2 * start) return wholeReach;
+  const next = radiusOf([solidItem(surfaceAfter(Math.min(k + 1, last)))]);
+  return start * 2 ** Math.max(0, Math.ceil(Math.log2(next / start)));
+}
+let ghost = null;
+function edgesOf({faces}) {
+  const seen = new Set();
+  return faces.flatMap(({points}) => points.map((from, k) => ({from, to: points[(k + 1) % points.length], mark: "ghost"})))
+    .filter(({from, to}) => !seen.has(`${to};${from}`) && seen.add(`${from};${to}`));
+}
+// The solid after k removals, the first one as a ghost in it, and other things, in a frame that changes seldom.
+function solidScene(k, marks, others = [], note = "") {
+  const radius = frameOf(k), smaller = Math.round(radius / frameOf(0));
+  if (k > 0) ghost ??= {lines: edgesOf(firstSolid())};
+  const zoomed = smaller > 1 ? `Drawn ${smaller} times smaller than at first, as the solid outgrew the frame. ` : "";
+  return {items: [...others.filter(item => item.mark === "cap"), solidItem(surfaceAfter(k), marks), ...(k > 0 ? [ghost] : []),
+    ...others.filter(item => item.mark !== "cap")], radius, note: note || zoomed + (k > 0 ? "Thin lines: the first solid." : "")};
 }
 const dualReach = () => radiusOf([dualItem(surfaceAfter(0))]);
 
@@ -135,7 +151,7 @@ function removalSteps(removal, k) {
     return {
       say: `There are ${before} halfspaces, and ${able === before ? "each" : able} of them could go. Removing one lets the solid grow, and its cost is how much ${measured} that adds. ${all.length > able ? `Without ${all.length - able === 1 ? "the other one" : `one of the other ${all.length - able}`} the solid would become unbounded. ` : ""}The cheapest is ${tag(i)}, which adds ${cost(`${at}/cost`)}${
         removal.tie.length > 1 ? `. That is an exact tie of ${tags(removal.tie)}; the first in canonical order goes` : ""}.${other ? ` If ${tag(shown)} went instead, ${other.cost ? `that would add ${cost(`/evaluations/${other.e}/cost`)}` : "the solid would be unbounded"}.` : ""}`,
-      solid: {items: solidScene(k, around), radius: reachOf(k)},
+      solid: solidScene(k, around),
       dual: {items: [dualItem(surfaceAfter(k), around)], radius: dualReach()},
       more: (removal.tie.length > 1 ? `<p>Why they count as equal: ${escaped(removal.tie_proof || "rational")}.</p>` : "") + candidateTable(k, removal) +
         (all.length > able ? `<p>Unbounded: without such a halfspace the solid would run off to infinity. In the dual, the origin would no longer lie inside of the hull of the other points: one of the triangles that close the hole has D \u2264 0, and so no corner.</p>${other && other.cost === null ? gapTable(lesson.evaluations[other.e]) : ""}` : ""),
@@ -162,8 +178,8 @@ function removalSteps(removal, k) {
       }), "Triangles that go");
       return {
         say,
-        solid: {items: [...solidScene(k, marks), {dots: roof.filter(Boolean).map((p, n) => ({at: p, mark: "new", label: step.all.filter((_, m) => roof[m])[n].join("\u00b7")}))}], radius: reachOf(k),
-          note: missing ? `${many(missing, "triangle has", "triangles have")} no corner yet: D is not positive, so these three planes leave a gap.` : "Dots: where the three planes of each new triangle meet."},
+        solid: solidScene(k, marks, [{dots: roof.filter(Boolean).map((p, n) => ({at: p, mark: "new", label: step.all.filter((_, m) => roof[m])[n].join("\u00b7")}))}],
+          missing ? `${many(missing, "triangle has", "triangles have")} no corner yet: D is not positive, so these three planes leave a gap.` : "Dots: where the three planes of each new triangle meet."),
         dual: {items: [openDual(k, i, ring, closing, {...marks, ...(step.corner === null ? {} : {[step.corner]: "tight"})}),
           {lines: ring.map((from, t) => ({from: drawnDual(from), to: drawnDual(ring[(t + 1) % ring.length]), mark: "horizon"}))}], radius: dualReach()},
         more: (j === 0 && ring.length > 3 ? `<p>How is a hole closed so that the surface is the hull of the points that are left? Corner by corner, in random order: a new corner is beyond some triangles, those go, and new ones join it to the rim of what went. Here ${corners.size} of ${ring.length} corners are joined.</p>` : "") +
@@ -172,7 +188,7 @@ function removalSteps(removal, k) {
     }}));
   steps.push({id: `${id}-cap`, title: `${stepName(removal)}: the cap`, grows: true, show: () => ({
     say: `On the solid's side, plane ${tag(i)} is gone and the planes of its ring meet further out. What is added is the cap. Its volume is ${number(`${at}/cap_volume`)}, and so the solid grows from ${number(volumeBefore(k))} to ${number(`${at}/volume_after`)}.`,
-    solid: {items: [grownCap(removal, state.grown), ...solidScene(k, marks)], radius: reachOf(k)},
+    solid: solidScene(k, marks, [grownCap(removal, state.grown)]),
     dual: {items: [dualItem(surfaceAfter(k + 1), mark(ring, "ring"), Object.fromEntries(removal.triangles.map(t => [key(t.corners), "new"]))),
       {lines: ring.map(j => ({from: drawnDual(i), to: drawnDual(j), mark: "gone"})), dots: [{at: drawnDual(i), mark: "chosen", label: i}]}], radius: dualReach(),
       note: "Dashed: the triangles that went. Below them the new ones."},
@@ -222,7 +238,7 @@ function lastSteps() {
     "all-unbounded": "every further removal would open a gap to infinity", "all-kept-or-unbounded": "every further removal would open a gap to infinity, or is to be kept"};
   return [{id: "removal-end", title: "The end", show: () => ({
     say: `The run ends with ${lesson.end.present.length} halfspaces, since ${reasons[lesson.stop] || lesson.stop}. Every solid on the way holds the input: a halfspace that stays has never moved.`,
-    solid: {items: [{...solidItem(surfaceAfter(end)), mark: "cap"}, solidItem(surfaceAfter(0))], radius: end ? reachOf(end - 1) : undefined, note: lesson.topology.step === 0 ? "Inside: the solid before removal 1." : `Inside: the solid after removal ${lesson.topology.step}.`},
+    solid: {items: [{...solidItem(surfaceAfter(end)), mark: "cap"}, solidItem(surfaceAfter(0))], radius: end ? frameOf(end - 1) : undefined, note: lesson.topology.step === 0 ? "Inside: the solid before removal 1." : `Inside: the solid after removal ${lesson.topology.step}.`},
     dual: {items: [dualItem(surfaceAfter(end))], radius: dualReach()},
     more: candidateTable(end, null) + (lesson.removals.length && lesson.stop.startsWith("all") ? "<p>A halfspace that could go before may be needed now: one that is gone used to close the gap.</p>" : ""),
   })}];
@@ -256,7 +272,7 @@ function verificationChapter() {
     return {
       say: failures ? `Step ${removal.step} FAILS: ${many(failures, "check does", "checks do")} not hold. The program would stop here with an internal error.`
         : `Step ${removal.step} removed ${tag(removal.removed)}. A part of the program that shares nothing with the one that made the step, and knows no center, proved it again by ${many(removal.checks.length, "check")}. All hold.`,
-      solid: {items: [{...solidItem(surfaceAfter(k + 1), mark(removal.ring, "ring")), mark: "cap"}, solidItem(surfaceAfter(k), marks)], radius: reachOf(k)},
+      solid: {items: [{...solidItem(surfaceAfter(k + 1), mark(removal.ring, "ring")), mark: "cap"}, solidItem(surfaceAfter(k), marks)], radius: frameOf(k)},
       dual: {items: [dualItem(surfaceAfter(k + 1), marks, Object.fromEntries(removal.triangles.map(t => [key(t.corners), "new"])))], radius: dualReach()},
       more: "<p>Three questions are asked. <b>Is the surface closed?</b> The new triangles fill the hole along the ring exactly, as a disk. <b>Is it convex?</b> No neighbouring dual point lies above a new triangle. <b>Has the solid only grown?</b> Each new corner exists, lies on or beyond the plane that went, and is inside the planes that stay. (A survivor is a halfspace that is left. Modulo two primes: both sides of an equation of long numbers have the same remainders.)</p>" +
         "<p>A value is D of the three normals, or the height as a determinant of four planes, from the numbers (n1, n2, n3, d) as they are. The last column is this page's own arithmetic.</p>" +
@@ -266,7 +282,7 @@ function verificationChapter() {
   if (lesson.end && !lesson.failed) {
     steps.push({id: steps.length ? "verification-end" : "verification", title: "Every plane touches", show: () => ({
       say: "Each halfspace that is left is one of the first ones, and all of the input lies inside of it. At the end each is tested at its witness, a vertex of the input that lies on its plane: so none of the planes could be moved inward.",
-      solid: {items: solidScene(lesson.removals.length, {})}, dual: {items: [dualItem(surfaceAfter(lesson.removals.length))], radius: dualReach()},
+      solid: solidScene(lesson.removals.length, {}), dual: {items: [dualItem(surfaceAfter(lesson.removals.length))], radius: dualReach()},
       more: table(["halfspace", "witness", "n\u00b7x + d", "= 0?"], lesson.end.witness.map(([i, x], n) => {
         const value = dot(plane(i).slice(0, 3), vector(x)).plus(plane(i)[3]);
         return row([tag(i), `(${x.map((_, c) => number(`/end/witness/${n}/1/${c}`)).join(", ")})`, computed(value), verdict(value.sign() === 0)]);

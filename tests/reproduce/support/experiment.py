@@ -30,9 +30,10 @@ class Experiment:
         parser.add_argument('--json', type=pathlib.Path, help='where to write the record')
         parser.add_argument('--plot', type=pathlib.Path, help='where to write a plot (.svg), if there is one')
         parser.add_argument('--must-hold', action='store_true', help='fail if a claim differs')
+        parser.add_argument('--alone', action='store_true', help="without the paper's program, which is of the Python index")
         add_options(parser)
         self.options = parser.parse_args()
-        words = [word for word in sys.argv[1:] if word not in ('--convexact', '--must-hold', self.options.convexact)]
+        words = [word for word in sys.argv[1:] if word not in ('--convexact', '--must-hold', '--alone', self.options.convexact)]
         name = pathlib.Path(script).stem
         self.record = {'id': name, 'figure': figure, 'command': ' '.join(['./dev reproduce', name, *self.shown(words)]),
                        'claims': [], 'tables': [], 'skipped': []}
@@ -71,6 +72,8 @@ class Experiment:
         """The paper's own program; None if it cannot be had, which the record then says."""
         from support.paper_program import PaperProgram  # pylint: disable=import-outside-toplevel,cyclic-import
         from support.peer_environment import Skipped  # pylint: disable=import-outside-toplevel
+        if self.options.alone:
+            return None
         try:
             return PaperProgram(self)
         except Skipped as reason:
