@@ -86,7 +86,8 @@ def check_step(step, lesson, name):
     where = f"{name} #{step['hash']}"
     assert step["bad"] is None, (where, step["bad"])
     assert not re.search(r"undefined|NaN|\[object|null", step["text"]), (where, step["text"])
-    assert len(step["say"]) > 40 and step["say"].rstrip()[-1] in ".?:", (where, step["say"])
+    assert len(step["say"]) > 40 and step["say"].rstrip()[-1] in ".?:\u2026", (where, step["say"])
+    assert "\u2026." not in step["text"], (where, step["text"])
     assert step["no"] == 0, f"{where}: the page does not agree with the record"
     assert step["here"] == 1, where
     assert step["wide"] <= 0, f"{where}: wider than the window by {step['wide']}"

@@ -204,7 +204,7 @@ function polarChapter() {
     const ray = i === null ? null : drawnDual(i, shift), foot = i === null ? null : footOf(i, shift);
     const dual = [dualItem(first(), marks, triangles, shift), {lines: ray ? [{from: [0, 0, 0], to: ray, mark: "normal"}] : [], dots: [{at: [0, 0, 0], mark: "center", label: "origin"}]}];
     return {say, solid: {items: [{...solidItem(first(), marks), mark: "glass"}, {lines: foot ? [{from: shift, to: foot, mark: "normal"}] : [],
-      dots: [{at: shift, mark: "center", label: "c"}, ...(at ? [{at, mark: "chosen", size: 6}] : [])]}], note: foot ? "From the center to the plane, at right angles." : "The vertex is marked."},
+      dots: [{at: shift, mark: "center", label: "c"}, ...(at ? [{at, mark: "chosen", size: 6}] : [])]}], note: foot ? `From the center to the plane, at right angles${isStretched ? " before the axes were stretched" : ""}.` : "The vertex is marked."},
       dual: {items: dual, radius: radiusOf(dual), note: ray ? "The same direction, at distance 1 / (distance of the plane)." : "The face of that vertex."}, more: details(i, t, c)};
   };
   const details = (i, t, c) => {

@@ -25,6 +25,9 @@ function pick(what) {
   show();
 }
 
+// A number that ends in dots ends its sentence, too.
+const ended = text => text.replace(/\u2026((?:<\/\w+>)*)\.(?!\w)/g, "\u2026$1");
+
 // Draws the step at hand; the element that has the focus keeps it, although tables are made anew.
 function show() {
   const step = steps[place], {say, solid, dual, more, picture} = step.show(), had = document.activeElement;
@@ -36,9 +39,9 @@ function show() {
     element(name).querySelector("figcaption span").textContent = note || "";
   }
   element("stage").querySelector("h2").textContent = step.title === step.chapter.name ? step.title : `${step.chapter.name} \u2014 ${step.title}`;
-  element("say").innerHTML = say;
+  element("say").innerHTML = ended(say);
   element("picture").innerHTML = picture || "";
-  element("more").innerHTML = more;
+  element("more").innerHTML = ended(more);
   if (again) {
     const name = again[0].replace(/[A-Z]/g, c => "-" + c.toLowerCase());
     document.querySelector(`main [data-${name}="${again[1]}"]:not(svg *)`)?.focus();
@@ -162,10 +165,9 @@ document.addEventListener("keydown", event => {
 });
 window.addEventListener("hashchange", () => land(false));
 
-const scales = lesson.frame.scale;
 element("how").textContent = "Coordinates are rounded to be drawn; numbers in the text are exact, and one that ends in dots is cut off there." +
-  (new Set(scales).size > 1 ? " The solid is long and thin, so each axis is drawn to a scale of its own." : "");
-if (new Set(scales).size === 1) panes.solid.measureBy(1 / Rational.of(scales[0]).toNumber());
+  (isStretched ? " The solid is long and thin, so each axis is drawn to a scale of its own." : "");
+if (!isStretched) panes.solid.measureBy(1 / Rational.of(lesson.frame.scale[0]).toNumber());
 // A link to a step or a chapter leads to the top of the page, where the panes are.
 element("anchors").innerHTML = [...new Set([...steps, ...chapters].map(({id}) => id))].map(id => `<i id="${id}"></i>`).join("");
 fillContents();

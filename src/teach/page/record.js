@@ -140,6 +140,8 @@ function candidates(k) {
 
 // --- what is drawn ---------------------------------------------------------------------------------
 
+// Whether each axis of the solid is drawn to a scale of its own: angles are not what they were.
+const isStretched = new Set(lesson.frame.scale).size > 1;
 const drawnDual = (i, center = [0, 0, 0]) => {
   const [a, b, c, d] = lesson.halfspaces[i].drawn, w = -(a * center[0] + b * center[1] + c * center[2] + d);
   return [a / w, b / w, c / w];
