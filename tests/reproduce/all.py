@@ -29,7 +29,7 @@ only within the interval that is named, *of the same order* within a wider one, 
 [reproduce.md](reproduce.md) tells what each experiment does, and has figures 8 (`capsule`) and 16 (`icosahedron`).
 
 """
-FIGURES = (('violin.svg', 'corpus.csv', 'Volume over that of the hull: each violin is a method, its line the median.'),
+FIGURES = (('violin.svg', 'corpus.csv', 'What is added to the volume of the hull: each violin is a method, its line the median.'),
            ('tightness.svg', 'corpus.csv', 'What is added to the volume of the hull, over the number of halfspaces.'),
            ('growth.svg', 'timing.csv', 'Time of the removals over the size of the hull.'))
 OPEN = """## Open

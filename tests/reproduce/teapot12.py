@@ -18,9 +18,9 @@ def main():
         theirs = experiment.paper_ratios(experiment.paper_program(), mesh, (12,))[12]
         order = [name for name in fitting(made) if name not in ('search', 'greedy-area', 'greedy-mean-width')]
         experiment.claim('the least volume is that of greedy removals', ' < '.join(order[:3]), order[0] == 'greedy',
-                         pchs=theirs and f'{theirs:.4f}; ours {made["greedy"]["volume"]["value"]:.4f}', interval='it is',
+                         pchs=theirs and f'{theirs:.4f}; ours {made["greedy"]["volume"]["value"]:.4f}', interval='so',
                          why='the order that the paper shows')
-        experiment.claim('QEM in the dual is next', f'{order[1]} is', order[1] == 'qem-dual', interval='it is',
+        experiment.claim('QEM in the dual is next', f'{order[1]} is', order[1] == 'qem-dual', interval='so',
                          why='the order that the paper shows, on its own teapot')
         experiment.table('Volume, area and mean width over those of the hull, and the Hausdorff distance in diameters',
                          ['method', 'planes', 'volume', 'area', 'mean width', 'distance'],
