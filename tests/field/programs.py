@@ -1,10 +1,9 @@
 # SPDX-License-Identifier: MIT
 """The programs of ./dev field: how each is called, what it computes with, what it promises, and whether it is here."""
 import json
-import os
-import shlex
 import shutil
 import subprocess
+import sys
 from dataclasses import dataclass
 from functools import lru_cache
 from pathlib import Path
@@ -32,6 +31,13 @@ class Program:
         return [word.format(input=source, output=target, faces=faces) for word in self.command]
 
 
+# Packages of the Python index, in an environment; those of one package beside its name.
+PYTHON = {"scipy": "1.17.1", "trimesh": "5.2.0", "open3d": "0.20.0", "manifold3d": "3.5.4", "coal": "3.0.3", "pymeshlab": "2025.7.post1",
+          "mujoco": "4.0.0", "pchs": "0.1.0"}
+PYTHON_PROGRAMS = {**{name: name for name in PYTHON}, "mujoco-32": "mujoco"}
+PYTHON_NUMBERS = {"mujoco": "binary32", "mujoco-32": "binary32"}
+ENVIRONMENT = ROOT / "build" / "peers" / "bin" / "python"
+
 NPM = {"three-hull": "binary64", "three-geometry": "binary32", "quickhull3d": "binary64",
        "quickhull3d-polygons": "binary64", "jolt": "binary32", "rapier": "binary32", "manifold": "binary32",
        "physx": "binary32", "physx-shifting": "binary32", "vhacd": "binary64", "ammo": "binary32"}
@@ -42,7 +48,8 @@ BUILT = {"bullet-hull": ("bullet", "hull", "binary32"), "bullet-shape": ("bullet
 PROFILES = {"jolt": "jolt", "physx": "physx", "physx-shifting": "physx", "bullet-hull": "bullet", "bullet64-hull": "bullet",
             "ammo": "bullet", "manifold": "manifold", "qhull": "qhull", "qhull-triangles": "qhull",
             "quickhull3d": "quickhull3d", "quickhull3d-polygons": "quickhull3d", "rapier": "rapier",
-            "three-hull": "threejs", "three-geometry": "threejs"}
+            "three-hull": "threejs", "three-geometry": "threejs", "scipy": "qhull", "trimesh": "qhull", "open3d": "qhull",
+            "coal": "qhull", "pymeshlab": "qhull"}
 PACKAGES = {"three-hull": "three", "three-geometry": "three", "quickhull3d-polygons": "quickhull3d", "jolt": "jolt-physics",
             "rapier": "@dimforge/rapier3d-compat", "manifold": "manifold-3d", "physx": "physx-js-webidl",
             "physx-shifting": "physx-js-webidl", "vhacd": "vhacd-js", "ammo": "ammojs-typed"}
@@ -53,6 +60,18 @@ def npm_version(package):
     """The name and the version of an npm package, as installed."""
     path = BUILD / "node_modules" / package / "package.json"
     return f"{package} {json.loads(path.read_text())['version']}" if path.exists() else ""
+
+
+@lru_cache
+def python_versions():
+    """Of the packages in the environment, as far as they are there."""
+    script = ("import importlib.metadata as m, json, sys\n"
+              "print(json.dumps({d.name: d.version for d in m.distributions() if d.name in sys.argv[1:]}))")
+    try:
+        done = subprocess.run([ENVIRONMENT, "-c", script, *PYTHON], capture_output=True, text=True, check=False)
+    except OSError:
+        return {}
+    return json.loads(done.stdout) if done.returncode == 0 else {}
 
 
 @lru_cache
@@ -99,11 +118,24 @@ def hull_programs():
         programs.append(Program(name, ["python3", str(HERE / "qhull.py"), options, "{input}", "{output}"],
                                 missing="" if shutil.which("qhull") else "qhull-bin is not installed",
                                 version=debian_version("qhull-bin")))
-    command = os.environ.get("CONVEXACT_FIELD_JACOBSON", "")
-    programs.append(Program("jacobson", shlex.split(command), missing="" if command else
-                            "the paper's own program is not in any package registry; set CONVEXACT_FIELD_JACOBSON "
-                            "to its command with {input}, {faces} and {output}"))
+    there = python_versions()
+    for name, package in PYTHON_PROGRAMS.items():
+        wanted, found = PYTHON[package], there.get(package)
+        missing = "" if found == wanted else f"{package} {wanted} is not in the environment build/peers"
+        programs.append(Program(name, [str(ENVIRONMENT), str(HERE / "python_hulls.py"), name, "{input}", "{output}", "{faces}"],
+                                PYTHON_NUMBERS.get(name, "binary64"), missing=missing, version=f"{package} {found}" if found else ""))
     return programs
+
+
+def install_python():
+    """Brings the packages of the Python index, each for itself; says which cannot be had."""
+    sys.path.insert(0, str(ROOT / "tests" / "reproduce"))
+    from support import peer_environment  # pylint: disable=import-outside-toplevel
+    for name, version in PYTHON.items():
+        try:
+            peer_environment.require(peer_environment.environment(), name, version)
+        except peer_environment.Skipped as reason:
+            print(f"{reason}: its programs will be skipped", file=sys.stderr)
 
 
 def run_program(program, source, target, faces, seconds):
@@ -131,3 +163,7 @@ def seconds_of(target):
 def own_seconds(target):
     path = seconds_of(target)
     return json.loads(path.read_text())["seconds"] if path.exists() else None
+
+
+if __name__ == "__main__":
+    install_python()

@@ -1,0 +1,132 @@
+# SPDX-License-Identifier: MIT
+"""The packages of the Python index as programs of ./dev field: python_hulls.py NAME INPUT.obj OUTPUT.obj FACES
+
+Each gets the input's points (those that simplify: its faces, too) by the call that its own documents show first, and
+what it returns is written with all digits. The seconds of that call go to OUTPUT.obj.json. Exit code 4: no hull.
+"""
+import json
+import sys
+import time
+
+import numpy as np
+
+
+def read_obj(path):
+    points, faces = [], []
+    with open(path, encoding="utf-8") as lines:
+        for line in lines:
+            words = line.split()
+            if words[:1] == ["v"]:
+                points.append([float(x) for x in words[1:4]])
+            elif words[:1] == ["f"]:
+                corners = [int(word) - 1 for word in words[1:]]
+                faces += [[corners[0], corners[k - 1], corners[k]] for k in range(2, len(corners))]
+    return np.array(points), np.array(faces, dtype=np.int32)
+
+
+def scipy(points, faces, count):
+    """scipy.spatial.ConvexHull: its simplices have no order, its equations look outward."""
+    from scipy.spatial import ConvexHull
+    hull = ConvexHull(points)
+    turned = []
+    for corners, normal in zip(hull.simplices, hull.equations[:, :3]):
+        a, b, c = points[corners]
+        turned.append(corners if np.dot(np.cross(b - a, c - a), normal) > 0 else corners[::-1])
+    return points, turned
+
+
+def trimesh(points, faces, count):
+    import trimesh as package
+    hull = package.convex.convex_hull(points)
+    return hull.vertices, hull.faces
+
+
+def open3d(points, faces, count):
+    import open3d as package
+    cloud = package.geometry.PointCloud(package.utility.Vector3dVector(points))
+    hull, _ = cloud.compute_convex_hull()
+    return np.asarray(hull.vertices), np.asarray(hull.triangles)
+
+
+def manifold3d(points, faces, count):
+    import manifold3d as package
+    mesh = package.Manifold.hull_points(points).to_mesh64()
+    return mesh.vert_properties[:, :3], mesh.tri_verts
+
+
+def coal(points, faces, count):
+    import coal as package
+    model = package.BVHModelOBBRSS()
+    model.beginModel(0, len(points))
+    model.addVertices(np.asarray(points))
+    model.endModel()
+    model.buildConvexHull(True, "Qt")
+    hull = model.convex
+    triangles = [hull.polygons(k) for k in range(hull.num_polygons)]
+    return np.array([hull.point(k) for k in range(hull.num_points)]), [[t[0], t[1], t[2]] for t in triangles]
+
+
+def pymeshlab(points, faces, count):
+    import pymeshlab as package
+    meshes = package.MeshSet()
+    meshes.add_mesh(package.Mesh(points))
+    meshes.generate_convex_hull()
+    return meshes.current_mesh().vertex_matrix(), meshes.current_mesh().face_matrix()
+
+
+def mujoco(points, faces, count, limit=-1):
+    """The hull that the compiler of models keeps of a mesh, moved back from the frame of its inertia."""
+    import mujoco as package
+    text = " ".join(repr(float(x)) for x in points.ravel())
+    model = package.MjModel.from_xml_string(
+        f'<mujoco><asset><mesh name="m" vertex="{text}" maxhullvert="{limit}"/></asset>'
+        '<worldbody><geom type="mesh" mesh="m"/></worldbody></mujoco>')
+    graph = model.mesh_graph
+    corners, triangles = int(graph[0]), int(graph[1])
+    names = graph[2 + corners:2 + 2 * corners]
+    found = graph[2 + 3 * corners + 3 * triangles:2 + 3 * corners + 6 * triangles].reshape(-1, 3)
+    turn = np.zeros(9)
+    package.mju_quat2Mat(turn, model.mesh_quat[0])
+    places = model.mesh_vert.astype(float) @ turn.reshape(3, 3).T + model.mesh_pos[0]
+    index = {int(name): k for k, name in enumerate(names)}
+    return places[names], [[index[int(k)] for k in triangle] for triangle in found]
+
+
+def mujoco_32(points, faces, count):
+    return mujoco(points, faces, count, 32)
+
+
+def pchs(points, faces, count):
+    """The program of [Jacobson2026]."""
+    import pchs as package
+    places, corners, ends = package.simplify_convex_hull(np.asfortranarray(points), np.asfortranarray(faces), count)
+    return places, [corners[ends[k]:ends[k + 1]] for k in range(len(ends) - 1)]
+
+
+def main(name, source, target, count):
+    points, faces = read_obj(source)
+    call = {"mujoco-32": mujoco_32}.get(name) or globals()[name]
+    try:
+        for turn in range(2):  # the first one may load the package
+            start = time.perf_counter()
+            corners, polygons = call(points, faces, int(count))
+            seconds = time.perf_counter() - start
+            if turn == 0 and seconds > 5:
+                break
+    except ImportError:
+        raise
+    except Exception as fault:  # pylint: disable=broad-exception-caught  # its own way to say no
+        sys.stderr.write(f"{type(fault).__name__}: {fault}"[:2000])
+        return 4
+    if len(polygons) == 0:
+        return 4
+    with open(target, "w", encoding="ascii") as out:
+        out.writelines("v " + " ".join(repr(float(x)) for x in p) + "\n" for p in corners)
+        out.writelines("f " + " ".join(str(int(k) + 1) for k in polygon) + "\n" for polygon in polygons)
+    with open(target + ".json", "w", encoding="ascii") as out:
+        json.dump({"seconds": seconds}, out)
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main(*sys.argv[1:]))
