@@ -51,7 +51,7 @@ void require_sensible(const SimplifyArguments& options) {
   }
 }
 
-InnerRequest request_of(const SimplifyArguments& options) {
+InnerRequest inner_request_of(const SimplifyArguments& options) {
   InnerRequest request = inner_request(options.given);
   request.seed = options.global.seed;
   request.costs = !options.output.trace.empty();
@@ -131,7 +131,7 @@ void require_inner(const SimplifyArguments& options) {
 
 int run_inner(const SimplifyArguments& options) {
   require_sensible(options);
-  const InnerRequest wanted = request_of(options);
+  const InnerRequest wanted = inner_request_of(options);
   require_outputs(options.output.all_paths(), options.inputs);
   CommandRun run(options.global);
   std::vector<SceneObject> scene = run.read(options.inputs, options.scene);
