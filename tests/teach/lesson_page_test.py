@@ -35,6 +35,8 @@ STEP = """(() => {
       return {text: text.textContent, box: [box.left, box.top, box.right, box.bottom], hidden: /back|far/.test(text.getAttribute("class")),
         seen: Number(style.fillOpacity) * Number(style.opacity)};
     })),
+    captions: [...document.querySelectorAll("#panes figure:not([hidden]) figcaption")].map(caption => caption.getBoundingClientRect())
+      .map(box => [box.top, box.bottom].map(Math.round).join()),
     last: document.getElementById("next").disabled,
     wide: document.documentElement.scrollWidth - innerWidth};
 })()"""
@@ -92,6 +94,7 @@ def check_step(step, lesson, name):
     assert step["here"] == 1, where
     assert step["wide"] <= 0, f"{where}: wider than the window by {step['wide']}"
     check_labels(step["labels"], where)
+    assert len(set(step["captions"])) == 1, (where, "captions of two heights", step["captions"])
     for pointer, exact, shown in step["numbers"]:
         assert at(lesson, pointer) == exact, (where, pointer)
         if shown is not None and not pointer.endswith("/decimal"):
