@@ -322,6 +322,24 @@ SIZES = """(() => {
 })()"""
 
 
+def check_near_ties(path):
+    """Costs that look the same are told apart: what is no tie says by how much it is dearer."""
+    page, told = opened(path), 0
+    try:
+        for name in page.evaluate("steps.filter(step => /^removal-[0-9]+$/.test(step.id)).map(step => step.id)"):
+            page.evaluate(f"go(steps.findIndex(step => step.id === {json.dumps(name)}))")
+            rows = page.evaluate("""[...document.querySelector("#more table").querySelectorAll("tbody tr")].map(row =>
+                [...row.children].map(cell => cell.innerText.trim())).map(cells => [cells[2], cells.at(-1)])""")
+            shown = next(cost for cost, note in rows if note == "goes")
+            for cost, note in rows:
+                if cost == shown and note not in ("goes", "tie"):
+                    assert re.fullmatch(r"dearer by [0-9.e-]+", note), (name, cost, note)
+                    told += 1
+    finally:
+        page.close()
+    assert told > 0, "nothing looked the same: the test would see nothing"
+
+
 def check_frame(path):
     """A solid that grows is drawn no smaller than before, unless the caption says how many times smaller; the scale bar agrees."""
     page, before, factors = opened(path), None, []
@@ -370,6 +388,7 @@ def main():
             page, _, _ = check_lesson(program, name, [shape, "--precision", "64"], folder, CHAPTERS)
             if name == "icosahedron":
                 check_frame(page)
+                check_near_ties(page)
         planes = os.path.join(folder, "planes.json")
         subprocess.run([program, "hull", os.path.join(folder, "cube.obj"), "-o", planes], check=True, stdout=subprocess.DEVNULL)
         check_lesson(program, "planes", [planes], folder, CHAPTERS)

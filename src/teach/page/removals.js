@@ -64,6 +64,13 @@ function solidScene(k, marks, others = [], note = "") {
 }
 const dualReach = () => radiusOf([dualItem(surfaceAfter(0))]);
 
+// Where the digits that are shown do not tell: by how much one costs more than the cheapest.
+function dearer(value, cheapest) {
+  if (!value?.exact || !cheapest?.exact) return "";
+  const least = Rational.of(cheapest.exact), more = Rational.of(value.exact).minus(least).toNumber();
+  return more > 0 && more < 1e-4 * least.toNumber() ? `dearer by ${more.toPrecision(2)}` : "";
+}
+
 function candidateTable(k, removal) {
   const all = candidates(k), measures = lesson.measures || [], ties = new Set(removal?.tie || []);
   const withDoubles = display.doubles && lesson.cost === "volume";
@@ -76,7 +83,7 @@ function candidateTable(k, removal) {
       const near = value && doubles.volume(i, lesson.evaluations[e].triangles), exact = value && Rational.of(value.exact).toNumber();
       float = value ? Number.isFinite(near) ? [String(near), `${(100 * Math.abs(near - exact) / exact).toPrecision(2)}%`] : ["no number", ""] : ["", ""];
     }
-    const note = i === removal?.removed ? "<b>goes</b>" : ties.has(i) ? "tie" : "";
+    const note = i === removal?.removed ? "<b>goes</b>" : ties.has(i) ? "tie" : dearer(value, removal?.cost);
     return row([value ? rank + 1 : "", `<button type="button" class="link" data-pick="h${i}">${i}</button>`, cost(`${at}/cost`), ...others, ...float, note],
       i === removal?.removed ? 'class="chosen"' : ties.has(i) ? 'class="tie"' : "");
   });
