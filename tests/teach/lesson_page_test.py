@@ -322,6 +322,26 @@ SIZES = """(() => {
 })()"""
 
 
+def check_contents(program, folder):
+    """A lesson of many removals: its contents fit on a screen, and the line of the step at hand is seen."""
+    shape, path = os.path.join(folder, "ball.obj"), os.path.join(folder, "ball.html")
+    subprocess.run([program, "generate", "fibonacci-sphere", "--points", "45", "-o", shape], check=True, stdout=subprocess.DEVNULL)
+    subprocess.run([program, "teach", shape, "-o", path], check=True, stdout=subprocess.DEVNULL)
+    page = opened(path, "#removal-33-cap")
+    try:
+        for move, here in ((None, "#removal-33"), ("ArrowRight", "#removal-34"), ("End", None)):
+            if move:
+                press(page, move)
+            seen = page.evaluate("""[...document.querySelectorAll("#contents a, #contents ol summary")].filter(e => e.checkVisibility())
+                .map(e => [e.hash ?? "", e.hasAttribute("aria-current"), e.getBoundingClientRect().bottom])""")
+            assert len(seen) <= 45, (move, len(seen))
+            current = [(hash_, bottom) for hash_, is_here, bottom in seen if is_here]
+            assert len(current) == 1 and current[0][1] < 900 and (here is None or current[0][0] == here), (move, current)
+        assert not page.complaints, page.complaints
+    finally:
+        page.close()
+
+
 def check_near_ties(path):
     """Costs that look the same are told apart: what is no tie says by how much it is dearer."""
     page, told = opened(path), 0
@@ -381,6 +401,7 @@ def main():
         check_names(program, folder)
         check_sizes(path, CHAPTERS)
         check_motion(path)
+        check_contents(program, folder)
         for name, family in (("icosahedron", ["icosahedron"]), ("needle", ["needle", "--points", "12", "--aspect", "1e9"]),
                              ("huge", ["huge", "--points", "8"])):
             shape = os.path.join(folder, name + ".obj")

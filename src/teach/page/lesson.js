@@ -67,6 +67,7 @@ function go(to, isNew = true) {
   for (const link of document.querySelectorAll("#contents a")) {
     const isHere = link.hash === `#${entryOf(step).id}`;
     link.toggleAttribute("aria-current", isHere);
+    if (isHere) for (const group of document.querySelectorAll("#contents ol details")) group.open = group.contains(link);
     if (isHere && link.offsetParent) element("contents").scrollTop = link.offsetTop - element("contents").clientHeight / 2;
   }
   if (isNew) history.replaceState(null, "", `#${step.id}`);
@@ -103,12 +104,21 @@ function entryOf(step) {
   for (let k = steps.indexOf(step); k >= 0; --k) if (steps[k].isEntry) return steps[k];
   return steps[0];
 }
+const shortTitle = step => step.title.replace(/: the cheapest$/, "");
+// So many entries of a chapter share a line that opens: a chapter has at most two dozen lines.
+const groupSize = entries => entries <= 24 ? 1 : [5, 10, 20, 50, 100, 200, 500].find(size => entries <= 12 * size) ?? Math.ceil(entries / 12);
+
 function fillContents() {
   const contents = chapters.map(chapter => {
     const entries = steps.filter(step => step.chapter === chapter && step.isEntry);
     const link = (id, name) => `<a href="#${id}">${escaped(name)}</a>`;
     if (entries.length < 2) return `<li>${link(chapter.steps[0].id, chapter.name)}</li>`;
-    return `<li>${escaped(chapter.name)}<ol>${entries.map(step => `<li>${link(step.id, step.title.replace(/: the cheapest$/, ""))}</li>`).join("")}</ol></li>`;
+    const lines = entries.map(step => `<li>${link(step.id, shortTitle(step))}</li>`), size = groupSize(entries.length);
+    const groups = Array.from({length: Math.ceil(entries.length / size)}, (_, k) => k * size).map(k => {
+      const last = Math.min(k + size, entries.length) - 1;
+      return `<li><details><summary>${escaped(shortTitle(entries[k]))} \u2026 ${escaped(shortTitle(entries[last]))}</summary><ol>${lines.slice(k, last + 1).join("")}</ol></details></li>`;
+    });
+    return `<li>${escaped(chapter.name)}<ol>${(size > 1 ? groups : lines).join("")}</ol></li>`;
   });
   element("contents").querySelector("ol").innerHTML = contents.join("");
   if (lesson.left_out.length === 0) return;
