@@ -8,6 +8,6 @@ namespace convexact {
 extern const std::string_view kLessonPage, kLessonStyle;
 /// Concatenated in this order they are one script.
 extern const std::string_view kRationalScript, kPaneScript, kRecordScript, kChaptersScript,
-    kRemovalsScript, kStoringScript, kLessonScript;
+    kRemovalsScript, kFilmScript, kStoringScript, kLessonScript;
 
 }  // namespace convexact

@@ -17,7 +17,7 @@ sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "report"))
 import chromium  # noqa: E402
 
 CUBE = """v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0\nv 0 0 1\nv 1 0 1\nv 0 1 1\nv 1 0.5 1\nv 1 1 0.5\nv 0.5 1 1\n"""
-CHAPTERS = ["hull", "center", "polar", "topology", "removal", "verification", "storing"]
+CHAPTERS = ["film", "hull", "center", "polar", "topology", "removal", "verification", "storing"]
 
 # What a step shows: numbers with where they come from, verdicts, what is drawn, and how far the page reaches.
 STEP = """(() => {
@@ -322,6 +322,42 @@ SIZES = """(() => {
 })()"""
 
 
+FILM = """(() => ({at: film.at, say: document.getElementById("say").innerText, count: document.querySelector("[data-film] + output").textContent,
+  link: document.querySelector("#more a").hash, faces: document.querySelectorAll("#solid .face").length,
+  dot: ["cx", "cy"].map(name => Number(document.querySelector("#film-curve circle").getAttribute(name))),
+  box: (box => [box.left, box.top, box.width, box.height])(document.getElementById("film-curve").getBoundingClientRect())}))()"""
+
+
+def check_film(path, lesson):
+    """The run as a film: each place of the slider shows that solid; the dot is as high as its cost; playing ends at the end; a
+    pointer drags the dot; and from everywhere a link explains the step."""
+    page, last = opened(path, "#film"), len(lesson["removals"])
+    try:
+        costs, start = [float(removal["cost"]["decimal"]) for removal in lesson["removals"]], len(lesson["topology"]["present"])
+        heights = []
+        for k in range(last + 1):
+            page.evaluate(f"(() => {{ const s = document.querySelector('[data-film]'); s.value = {k}; s.dispatchEvent(new Event('input', {{bubbles: true}})); }})()")
+            seen = page.evaluate(FILM)
+            assert seen["at"] == k and seen["count"] == f"{k} of {last}" and f" {start - k} of {start} are left" in seen["say"], seen
+            assert seen["faces"] == start - k, seen
+            assert seen["link"] == (f"#removal-{lesson['removals'][k]['step']}" if k < last else "#removal-end"), seen
+            heights.append(-seen["dot"][1])
+        for a in range(last):
+            for b in range(a):
+                if abs(costs[a] - costs[b]) > 1e-3 * costs[a]:
+                    assert (costs[a] > costs[b]) == (heights[a] > heights[b]), (a, b, costs, heights)
+        page.evaluate("document.querySelector('[data-speed]').value = '60', film.speed = 60, document.querySelector('[data-play]').click()")
+        page.evaluate("new Promise(done => setTimeout(done, 1500))")
+        assert page.evaluate("[film.at, film.playing]") == [last, False]
+        left, top, width, height = page.evaluate(FILM)["box"]
+        for kind, share in (("mousePressed", 0.9), ("mouseMoved", 0.5), ("mouseReleased", 0.5)):
+            page.call("Input.dispatchMouseEvent", type=kind, x=left + share * width, y=top + height / 2, button="left", buttons=1, clickCount=1)
+        assert 0 < page.evaluate("film.at") < last
+        assert not page.complaints, page.complaints
+    finally:
+        page.close()
+
+
 def check_contents(program, folder):
     """A lesson of many removals: its contents fit on a screen, and the line of the step at hand is seen."""
     shape, path = os.path.join(folder, "ball.obj"), os.path.join(folder, "ball.html")
@@ -406,10 +442,11 @@ def main():
                              ("huge", ["huge", "--points", "8"])):
             shape = os.path.join(folder, name + ".obj")
             subprocess.run([program, "generate", *family, "-o", shape], check=True, stdout=subprocess.DEVNULL)
-            page, _, _ = check_lesson(program, name, [shape, "--precision", "64"], folder, CHAPTERS)
+            page, known, _ = check_lesson(program, name, [shape, "--precision", "64"], folder, CHAPTERS)
             if name == "icosahedron":
                 check_frame(page)
                 check_near_ties(page)
+                check_film(page, known)
         planes = os.path.join(folder, "planes.json")
         subprocess.run([program, "hull", os.path.join(folder, "cube.obj"), "-o", planes], check=True, stdout=subprocess.DEVNULL)
         check_lesson(program, "planes", [planes], folder, CHAPTERS)

@@ -2,12 +2,12 @@
 // The page: its contents, the step that is shown, and how a reader goes from step to step.
 "use strict";
 
-const chapterNames = {hull: "The hull", center: "The center", polar: "Polar duality", topology: "The adjacency matrix",
+const chapterNames = {film: "The whole run", hull: "The hull", center: "The center", polar: "Polar duality", topology: "The adjacency matrix",
   removal: "Removing halfspaces", verification: "Verification", storing: "Storing the result"};
-const makers = {hull: hullChapter, center: centerChapter, polar: polarChapter, topology: topologyChapter,
+const makers = {film: filmChapter, hull: hullChapter, center: centerChapter, polar: polarChapter, topology: topologyChapter,
   removal: removalChapter, verification: verificationChapter, storing: storingChapter};
 for (const [id, make] of Object.entries(makers)) {
-  const part = {removal: lesson.removals, verification: lesson.removals, polar: lesson.topology}[id] || lesson[id];
+  const part = {film: !lesson.failed && lesson.removals?.length && lesson.removals, removal: lesson.removals, verification: lesson.removals, polar: lesson.topology}[id] || lesson[id];
   const steps = part ? make(part) : [];
   if (steps.length) chapters.push({id, name: chapterNames[id], steps});
 }
@@ -31,7 +31,7 @@ const ended = text => text.replace(/\u2026((?:<\/\w+>)*)\.(?!\w)/g, "\u2026$1");
 // Draws the step at hand; the element that has the focus keeps it, although tables are made anew.
 function show() {
   const step = steps[place], {say, solid, dual, more, picture} = step.show(), had = document.activeElement;
-  const again = had?.dataset && Object.entries(had.dataset).find(([name]) => ["pick", "center", "grow", "magnify", "picker", "home"].includes(name));
+  const again = had?.dataset && Object.entries(had.dataset).find(([name]) => ["pick", "center", "grow", "magnify", "picker", "home", "film", "play", "speed"].includes(name));
   for (const [name, {items, radius, note, name: title}] of Object.entries({solid, dual})) {
     element(name).hidden = items.length === 0;
     panes[name].show(items, radius || radiusOf(items));
@@ -116,7 +116,8 @@ function fillContents() {
     const lines = entries.map(step => `<li>${link(step.id, shortTitle(step))}</li>`), size = groupSize(entries.length);
     const groups = Array.from({length: Math.ceil(entries.length / size)}, (_, k) => k * size).map(k => {
       const last = Math.min(k + size, entries.length) - 1;
-      return `<li><details><summary>${escaped(shortTitle(entries[k]))} \u2026 ${escaped(shortTitle(entries[last]))}</summary><ol>${lines.slice(k, last + 1).join("")}</ol></details></li>`;
+      const [from, to] = [entries[k], entries[last]].map(shortTitle), word = from.split(" ")[0];
+      return `<li><details><summary>${escaped(from.replace(/,.*/, ""))} \u2026 ${escaped(to.replace(/,.*/, "").replace(word, "").trim())}</summary><ol>${lines.slice(k, last + 1).join("")}</ol></details></li>`;
     });
     return `<li>${escaped(chapter.name)}<ol>${(size > 1 ? groups : lines).join("")}</ol></li>`;
   });
