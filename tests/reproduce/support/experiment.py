@@ -174,13 +174,18 @@ def fitting(made):
     return sorted((name for name in made if made[name].get('fits')), key=lambda name: made[name]['volume']['value'])
 
 
-def proxies(experiment, mesh, faces, folder):
-    """(method, file of its planes) of each that fits, the least volume first."""
+def proxies(experiment, mesh, faces, folder, paper=None):
+    """(method, file of its planes) of each that fits, the least volume first; and the file of the paper's program."""
     made = compared(experiment, mesh, faces)
     for name in fitting(made):
         file = pathlib.Path(folder) / 'proxy.json'
         file.write_text(json.dumps({'halfspaces': made[name]['halfspaces']}), encoding='utf-8')
         yield name, file
+    if paper:
+        hull, *_ = experiment.hull(mesh, folder)
+        told = paper.run(hull, [faces], folder=str(folder))
+        if 'made' in told:
+            yield 'pchs', told['made'][str(faces)]['file']
 
 
 def measures_of(experiment, solid):
