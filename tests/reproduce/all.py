@@ -41,7 +41,7 @@ OPEN = """## Open
 - Dropping vertices keeps less than collapses onto ends in a few runs of `inner`; the paper prints no number, and its
   program has no inner hulls.
 - No useful lower bound is known here for few halfspaces around a hull of hundreds: branch and bound proves the least volume
-  for hulls of up to about 40 facets, and ends there at what the local search had found (`corpus`).
+  for hulls of up to about 40 facets; in all 27 runs that it ended, the local search had found it (`corpus`).
 """
 
 

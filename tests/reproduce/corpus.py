@@ -5,7 +5,7 @@
 Usage: corpus.py --convexact PROGRAM [--count 150] [--json FILE]
 
 Meshes are those of five packages of the Python index, in the order of their hashes; the first ones whose hulls have at
-least 60 facets, and the first third as many whose hulls have 16 to 40, for which the least volume can be proven. Each is replaced by its hull, so that every program gets the same doubles. At 6 to 32 halfspaces:
+least 60 facets, and the first fifteenth as many whose hulls have 16 to 40, for which the least volume can be proven. Each is replaced by its hull, so that every program gets the same doubles. At 6 to 32 halfspaces:
 greedy removals, with a walk and with a local search after them; the paper's own program; an oriented box and k-DOPs at
 their own numbers of planes. All volumes are those of the convex hull of what was written, exact and over that of the
 hull. Outputs of the paper's program are judged by `verify`. Volumes that differ by less than 1e-12 of the hull's count
@@ -188,13 +188,13 @@ def main():
     paper = experiment.paper_program()
     records, small = [], []
     for name, path in corpus.meshes(experiment.record['skipped']):
-        if len(records) >= experiment.options.count and len(small) >= experiment.options.count // 3:
+        if len(records) >= experiment.options.count and len(small) >= experiment.options.count // 15:
             break
         record = record_of(experiment, paper, name, path, len(records) < experiment.options.count)
         if 'made' in record and len(records) < experiment.options.count:
             records.append(record)
             print(f'{len(records)} of {experiment.options.count}: {name}, {record["facets"]} facets', file=sys.stderr, flush=True)
-        elif 'small' in record and len(small) < experiment.options.count // 3:
+        elif 'small' in record and len(small) < experiment.options.count // 15:
             small.append(record)
     if records:
         add_claims(experiment, records)
