@@ -5,7 +5,8 @@
 Usage: corpus.py --convexact PROGRAM [--count 150] [--json FILE]
 
 Meshes are those of five packages of the Python index, in the order of their hashes; the first ones whose hulls have at
-least 60 facets, and the first fifteenth as many whose hulls have 16 to 40, for which the least volume can be proven. Each is replaced by its hull, so that every program gets the same doubles. At 6 to 32 halfspaces:
+least 60 facets, and the first ones, a fifteenth as many, whose hulls have 16 to 40, for which the least volume can be
+proven. Each is replaced by its hull, so that every program gets the same doubles. At 6 to 32 halfspaces:
 greedy removals, with a walk and with a local search after them; the paper's own program; an oriented box and k-DOPs at
 their own numbers of planes. All volumes are those of the convex hull of what was written, exact and over that of the
 hull. Outputs of the paper's program are judged by `verify`. Volumes that differ by less than 1e-12 of the hull's count
@@ -164,7 +165,8 @@ def add_searches(experiment, records, small):
     for count in LONG_COUNTS:
         key = str(count)
         pairs = [(r['made']['local'][key]['ratio'], r['made']['long'][key]['ratio']) for r in records]
-        rows.append([count, len(pairs), sum(sign(long, local) < 0 for local, long in pairs), sum(sign(long, local) > 0 for local, long in pairs),
+        signs = [sign(long, local) for local, long in pairs]
+        rows.append([count, len(pairs), signs.count(-1), signs.count(1),
                      f'{100 * max((local - long) / (local - 1) for local, long in pairs if local > 1):.2f}%'])
     experiment.table('200 kicks against 2,000 from another seed', ['halfspaces', 'meshes', 'the longer search adds less', 'adds more',
                                                                  'at most less by'], rows)
@@ -173,8 +175,9 @@ def add_searches(experiment, records, small):
         key = str(count)
         of = [r['small'] for r in small if r['small']['greedy'][key]['halfspaces'] == count]
         proven = [made for made in of if (made['optimal'][key]['search'] or {}).get('optimum', {}).get('proven')]
-        added = [(made['optimal'][key]['ratio'] - 1) / (made['greedy'][key]['ratio'] - 1) for made in proven if made['greedy'][key]['ratio'] > 1]
-        rows.append([count, len(of), len(proven), sum(sign(made['local'][key]['ratio'], made['optimal'][key]['ratio']) == 0 for made in proven),
+        least = [[made[name][key]['ratio'] for name in ('greedy', 'local', 'optimal')] for made in proven]
+        added = [(optimal - 1) / (greedy - 1) for greedy, _, optimal in least if greedy > 1]
+        rows.append([count, len(of), len(proven), sum(sign(local, optimal) == 0 for _, local, optimal in least),
                      f'{100 * statistics.median(added):.0f}%' if added else '-'])
     experiment.table(f'Hulls of {SMALL_FACETS[0]} to {SMALL_FACETS[-1]} facets: the least volume, proven by branch and bound',
                      ['halfspaces', 'meshes', 'proven', 'local search found it', 'it adds, of greedy, median'], rows)

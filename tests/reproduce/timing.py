@@ -98,7 +98,6 @@ def main():
     data = []
 
     def measure(name, mesh):
-        nonlocal slowest
         size, times = rounds_of(experiment, paper, mesh)
         for way, (before, removals) in times.items():
             rows.append([name, f'{size:,}', way, shown(before), shown(removals),

@@ -44,7 +44,7 @@ function filmControls() {
 }
 
 function filmChapter() {
-  const {count, kind} = lesson.input, last = lesson.removals.length, start = lesson.topology.present.length, skipped = lesson.topology.step;
+  const {count, kind} = lesson.input, start = lesson.topology.present.length, skipped = lesson.topology.step;
   const given = `${many(count, kind === "points" ? "point" : "halfspace")}${kind === "points" ? "" : ", and what they hold together"}`;
   const dots = kind === "points" && lesson.input.points ? [{dots: lesson.input.points.map(({at}) => ({at, size: count > 60 ? 2 : 3, mark: "waiting"}))}] : [];
   return [{id: "film", title: "The whole run", show: () => {

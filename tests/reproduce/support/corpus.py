@@ -1,7 +1,6 @@
 # SPDX-License-Identifier: MIT
 """Real meshes of pinned packages of the Python index: robots, furniture, tools, food, scans. None of them is shipped."""
 import hashlib
-import pathlib
 import subprocess
 import zipfile
 
