@@ -2,7 +2,8 @@
 """The packages of the Python index as programs of ./dev field: python_hulls.py NAME INPUT.obj OUTPUT.obj FACES
 
 Each gets the input's points (those that simplify: its faces, too) by the call that its own documents show first, and
-what it returns is written with all digits. The seconds of that call go to OUTPUT.obj.json. Exit code 4: no hull.
+what it returns is written with all digits. The seconds of that call go to OUTPUT.obj.json. Exit code 4: the package raised
+an exception. A result without faces is no refusal: then there is no file, and the exit code is 0.
 """
 import json
 import sys
@@ -21,7 +22,7 @@ def read_obj(path):
             elif words[:1] == ["f"]:
                 corners = [int(word) - 1 for word in words[1:]]
                 faces += [[corners[0], corners[k - 1], corners[k]] for k in range(2, len(corners))]
-    return np.array(points), np.array(faces, dtype=np.int32)
+    return np.array(points), np.array(faces, dtype=np.int32).reshape(-1, 3)
 
 
 def scipy(points, faces, count):
@@ -119,7 +120,7 @@ def main(name, source, target, count):
         sys.stderr.write(f"{type(fault).__name__}: {fault}"[:2000])
         return 4
     if len(polygons) == 0:
-        return 4
+        return 0
     with open(target, "w", encoding="ascii") as out:
         out.writelines("v " + " ".join(repr(float(x)) for x in p) + "\n" for p in corners)
         out.writelines("f " + " ".join(str(int(k) + 1) for k in polygon) + "\n" for polygon in polygons)
