@@ -39,24 +39,23 @@ constexpr const char* kSimplifyFooter =
     "those of --inner, to lie inside the hull of the input.";
 
 // --total-faces is for several parts. How many there are, the files say.
-void require_scene(const SimplifyArguments& options) {
+void require_scene(const SimplifyArguments& options, const SimplifyRequest& request) {
   const auto reject = [](const std::string& why) {
     throw Error(ErrorCode::InvalidArgument, "--total-faces " + why);
   };
-  if (options.given.has("faces"))
-    reject("is for all parts together and --faces for each: name one");
+  if (request.faces) reject("is for all parts together and --faces for each: name one");
   if (!options.scene.parts && options.inputs.size() < 2) {
     reject("is for several parts: give --parts, or several inputs");
   }
-  if (options.given.has("center")) reject("has a center for each part: leave --center out");
-  if (options.given.has("search")) {
+  if (request.center) reject("has a center for each part: leave --center out");
+  if (request.search.kind != SearchKind::None) {
     reject("distributes halfspaces by removals: give --faces for each part to --search");
   }
 }
 
 SimplifyRequest request_of(const SimplifyArguments& options) {
-  if (options.total_faces) require_scene(options);
   SimplifyRequest request = simplify_request(options.given);
+  if (options.total_faces) require_scene(options, request);
   request.exact_volumes = options.exact_values;
   request.trace = !options.output.trace.empty();
   request.record = !options.output.proof.empty();

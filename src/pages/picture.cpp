@@ -6,14 +6,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <string_view>
 #include <unordered_map>
 
 #include "convexact/error.hpp"
-#include "convexact/number.hpp"
 #include "io/json_document.hpp"
-#include "number/arithmetic.hpp"
 #include "number/text.hpp"
 #include "pages/page_parts.hpp"
 #include "pages/picture_frame.hpp"

@@ -24,10 +24,13 @@ Field<Request> within(Part Request::*part, Field<Part> field) {
           [part, write = field.write](const Request& request) { return write(request.*part); }};
 }
 
-// Without a default.
-template <class Value>
-std::string spell_nothing(const Value&) {
-  return "";
+std::string spell_share(const std::optional<Rational>& share) {
+  return share ? to_string(*share) : "";
+}
+
+std::string spell_center(const std::optional<RationalPoint>& center) {
+  if (!center) return "chebyshev";
+  return to_string((*center)[0]) + "," + to_string((*center)[1]) + "," + to_string((*center)[2]);
 }
 
 template <class Request>
@@ -48,8 +51,7 @@ Fields<SimplifyRequest> make_simplify_fields() {
   using R = SimplifyRequest;
   Fields<R> fields = {
       count_field<R>("faces", &R::faces, {4, kMost}, "how many halfspaces to keep, at least 4"),
-      text_field<R>("max_growth", &R::max_growth, parse_share,
-                    spell_nothing<std::optional<Rational>>,
+      text_field<R>("max_growth", &R::max_growth, parse_share, spell_share,
                     "stop before the measure of --cost grows by more, e.g. 5% or 0.05"),
       choice_field<R>("growth_of", &R::growth_of, kCostMeasureNames,
                       "what --max-growth limits, if not the measure of --cost"),
@@ -78,8 +80,7 @@ Fields<SimplifyRequest> make_simplify_fields() {
                  "proof, as an interrupt ends it")),
       verify_field<R>(),
       text_field<R>(
-          "center", &R::center, parse_center,
-          [](const std::optional<RationalPoint>&) { return "chebyshev"; },
+          "center", &R::center, parse_center, spell_center,
           "center of the polar dual: chebyshev, or X,Y,Z strictly inside; the answer does not "
           "depend on it")};
   fields[0].letter = 'k';
@@ -93,15 +94,25 @@ std::size_t vertices_of_triangles(const std::string& option, const std::string& 
 
 Fields<InnerRequest> make_inner_fields() {
   using R = InnerRequest;
-  return {
-      count_field<R>("vertices", &R::vertices, {4, kMost},
-                     "with --inner: how many vertices to keep; or --faces, at most so many "
-                     "triangles"),
-      text_field<R>("faces", &R::vertices, vertices_of_triangles,
-                    spell_nothing<std::optional<std::size_t>>, "at most so many triangles"),
-      text_field<R>("max_loss", &R::max_loss, parse_share, spell_nothing<std::optional<Rational>>,
-                    "with --inner: stop before more of the volume is lost, e.g. 5% or 0.05"),
-      engine_field<R>(), verify_field<R>()};
+  return {count_field<R>("vertices", &R::vertices, {4, kMost},
+                         "with --inner: how many vertices to keep; or --faces, at most so many "
+                         "triangles"),
+          text_field<R>(
+              "faces", &R::vertices, vertices_of_triangles,
+              [](const std::optional<std::size_t>&) { return ""; }, "at most so many triangles"),
+          text_field<R>("max_loss", &R::max_loss, parse_share, spell_share,
+                        "with --inner: stop before more of the volume is lost, e.g. 5% or 0.05"),
+          engine_field<R>(), verify_field<R>()};
+}
+
+// Whether the option has the value that it has where it is not given.
+bool is_usual(const FieldInfo& info, const std::string& text) {
+  return std::any_of(simplify_fields().begin(), simplify_fields().end(), [&](const auto& field) {
+    if (field.name != info.name) return false;
+    SimplifyRequest given;
+    field.read(given, field.name, text);
+    return field.write(given) == field.write(SimplifyRequest{});
+  });
 }
 
 [[noreturn]] void refuse_options(const std::string& why) {
@@ -142,7 +153,8 @@ InnerRequest inner_request(const GivenFields& given) {
     const bool is_known =
         std::any_of(inner_fields().begin(), inner_fields().end(),
                     [&, known = info](const auto& field) { return field.name == known->name; });
-    if (!is_known) refuse_options(option_of(*info) + " does not apply to an inner run (--inner)");
+    if (is_known || is_usual(*info, text)) continue;
+    refuse_options(option_of(*info) + " does not apply to an inner run (--inner)");
   }
   if (given.has("vertices") && given.has("faces")) {
     refuse_options("--vertices and --faces: give one of them; n vertices have 2 n - 4 triangles");

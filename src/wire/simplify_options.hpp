@@ -29,7 +29,7 @@ inline constexpr CountRange kTieBits{128, 1 << 20};
 [[nodiscard]] SimplifyRequest simplify_request(const GivenFields& given);
 
 /// The same of a run that removes vertices. @throws Error InvalidArgument for an option of
-/// simplify_fields() alone.
+/// simplify_fields() alone, unless it has its default.
 [[nodiscard]] InnerRequest inner_request(const GivenFields& given);
 
 /// A share, 0 or more: "5%", "0.05" or "1/20". @throws Error InvalidArgument.

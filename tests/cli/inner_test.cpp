@@ -178,3 +178,17 @@ TEST_CASE("simplify --inner: what is refused, by name") {
                     " " + tenths)
             .exit == 0);
 }
+
+TEST_CASE("simplify --inner: an option of other runs may say what is so anyway") {
+  const auto code_with = [](const std::string& option) {
+    return run_program("simplify " + data("spot.obj") + " --inner --vertices 8 " + option).exit;
+  };
+  CHECK(code_with("--cost volume") == 0);
+  CHECK(code_with("--center chebyshev") == 0);
+  CHECK(code_with("--search none") == 0);
+  CHECK(code_with("--cost area") == 2);
+  CHECK(code_with("--center 0,0,0") == 2);
+  CHECK(code_with("--search walk") == 2);
+  CHECK(code_with("--max-growth 0") == 2);
+  CHECK(code_with("--engine float") == 2);
+}

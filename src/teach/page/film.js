@@ -44,6 +44,7 @@ function filmControls() {
 }
 
 function filmChapter() {
+  if (lesson.removals.length === 0) return [];
   const {count, kind} = lesson.input, start = lesson.topology.present.length, skipped = lesson.topology.step;
   const given = `${many(count, kind === "points" ? "point" : "halfspace")}${kind === "points" ? "" : ", and what they hold together"}`;
   const dots = kind === "points" && lesson.input.points ? [{dots: lesson.input.points.map(({at}) => ({at, size: count > 60 ? 2 : 3, mark: "waiting"}))}] : [];

@@ -7,7 +7,7 @@ const chapterNames = {film: "The whole run", hull: "The hull", center: "The cent
 const makers = {film: filmChapter, hull: hullChapter, center: centerChapter, polar: polarChapter, topology: topologyChapter,
   removal: removalChapter, verification: verificationChapter, storing: storingChapter};
 for (const [id, make] of Object.entries(makers)) {
-  const part = {film: !lesson.failed && lesson.removals?.length && lesson.removals, removal: lesson.removals, verification: lesson.removals, polar: lesson.topology}[id] || lesson[id];
+  const part = {film: lesson.failed ? null : lesson.removals, removal: lesson.removals, verification: lesson.removals, polar: lesson.topology}[id] || lesson[id];
   const steps = part ? make(part) : [];
   if (steps.length) chapters.push({id, name: chapterNames[id], steps});
 }
