@@ -11,43 +11,20 @@
 #include "decompose/cluster_engines.hpp"
 #include "decompose/merge_cost.hpp"
 #include "decompose/near_concavity.hpp"
+#include "decompose/near_shapes.hpp"
 #include "number/ordering.hpp"
 #include "number/precision.hpp"
 #include "number/roundoff.hpp"
-#include "surface/edges.hpp"
-#include "surface/flat_polygon.hpp"
 
 namespace convexact {
 namespace {
 
 constexpr std::uint32_t kNoClass = 0;
 
-// A sum of lengths or areas of scaled points, and a bound of its error.
-struct NearSum {
-  double value = 0, error = 0;
-
-  NearSum& operator+=(const NearSum& other) {
-    value += other.value;
-    error += other.error + kUnitRoundoff * std::abs(value);
-    return *this;
-  }
-  NearSum operator*(double power_of_two) const {
-    return {value * power_of_two, error * std::abs(power_of_two)};
-  }
-  double low() const { return std::max(0.0, value - error); }
-  double high() const { return value + error; }
-};
-
-struct MeasuredEdge {
-  PointId low, high;
-  NearSum length;
-};
-
 struct Cluster {
   std::vector<TriangleId> triangles;
   NearCluster near;
-  std::vector<std::uint32_t> boundary;  // edges that an odd number of the triangles have; ascending
-  NearSum perimeter, doubled_area;
+  NearShape shape;
   std::vector<std::uint32_t> neighbours;  // in any order
 };
 
@@ -80,16 +57,10 @@ class FilteredEngine {
         start_(start),
         is_float_(options.engine == Engine::Float),
         order_(start.squared_weight),
-        near_(surface, options.measure, is_float_) {
-    // Bounds of the limit and of weight / 20 pi in the units of `near_`.
-    const Rational unit = scale_by_power_of_two(Rational(1), -2 * near_.exponent());
-    limit_ = near_.root_bounds(start.squared_limit);
-    Enclosure weight = sqrt(Enclosure(Rational(start.squared_weight * unit), 64));
-    weight /= Enclosure(Rational(20), 64) * Enclosure::pi(64);
-    weight_ = {weight.low_double(), weight.high_double()};
+        near_(surface, options.measure, is_float_),
+        shapes_(surface, near_, start.squared_weight, is_float_),
+        limit_(near_.root_bounds(start.squared_limit)) {
     make_clusters();
-    areas_.resize(surface.triangles.size());
-    lengths_.resize(edges_.size());
     for (const ClusterPair& pair : start.pairs) {
       clusters_.at(pair.first).neighbours.push_back(pair.second);
       clusters_.at(pair.second).neighbours.push_back(pair.first);
@@ -128,33 +99,11 @@ class FilteredEngine {
   }
 
   void make_clusters() {
-    const auto points = near_.points();
-    std::vector<std::vector<std::uint32_t>> edges_of(surface_.triangles.size());
-    EdgeTable(surface_.triangles).for_each([&](std::span<const EdgeUse> uses) {
-      const Point along = points[uses[0].high.index()] - points[uses[0].low.index()];
-      const double length = along.norm();
-      for (const EdgeUse& use : uses) {
-        edges_of[use.triangle].push_back(static_cast<std::uint32_t>(edges_.size()));
-      }
-      edges_.push_back({uses[0].low,
-                        uses[0].high,
-                        {length, error(8 * kUnitRoundoff * length + 4 * near_.off())}});
-    });
     std::vector<bool> has_neighbours(surface_.triangles.size(), false);
     for (const auto& [a, b] : start_.pairs) has_neighbours[a] = has_neighbours[b] = true;
     for (auto& triangles : clusters_of(start_.lowest)) {
       Cluster cluster;
-      for (const TriangleId t : triangles) {
-        const auto& [a, b, c] = surface_.triangles[t.index()];
-        const Point e = points[b.index()] - points[a.index()];
-        const Point f = points[c.index()] - points[a.index()];
-        const double size_e = e.cwiseAbs().maxCoeff(), size_f = f.cwiseAbs().maxCoeff();
-        cluster.doubled_area +=
-            {e.cross(f).norm(), error(40 * kUnitRoundoff * size_e * size_f +
-                                      near_.off() * (10 * (size_e + size_f) + 20 * near_.off()))};
-        cluster.boundary = not_in_both(cluster.boundary, edges_of[t.index()]);
-      }
-      measure_boundary(cluster);
+      cluster.shape = shapes_.shape(triangles);
       const std::uint32_t name = triangles.front().value;
       if (has_neighbours[name]) cluster.near = near_.cluster(triangles);
       cluster.triangles = std::move(triangles);
@@ -162,50 +111,12 @@ class FilteredEngine {
     }
   }
 
-  // Numbers that are too small for doubles are lost.
-  double error(double rounding) const { return is_float_ ? 0 : rounding + 0x1p-960; }
-
-  static std::vector<std::uint32_t> not_in_both(const std::vector<std::uint32_t>& a,
-                                                const std::vector<std::uint32_t>& b) {
-    std::vector<std::uint32_t> result;
-    std::set_symmetric_difference(a.begin(), a.end(), b.begin(), b.end(),
-                                  std::back_inserter(result));
-    return result;
-  }
-
-  void measure_boundary(Cluster& cluster) const {
-    cluster.perimeter = {};
-    for (const std::uint32_t e : cluster.boundary) cluster.perimeter += edges_[e].length;
-  }
-
-  // perimeter^2 / area of a union, times its weight.
-  LengthBounds shape_of(const Cluster& a, const Cluster& b) const {
-    NearSum shared, perimeter = a.perimeter, area = a.doubled_area;
-    auto x = a.boundary.begin(), y = b.boundary.begin();
-    while (x != a.boundary.end() && y != b.boundary.end()) {
-      if (*x == *y) shared += edges_[*x].length;
-      const bool first = *x <= *y, second = *y <= *x;
-      x += first;
-      y += second;
-    }
-    perimeter += b.perimeter;
-    perimeter += shared * -2;
-    area += b.doubled_area;
-    if (is_float_) {
-      const double shape = area.value > 0 ? perimeter.value * perimeter.value / area.value : 0;
-      return {weight_.low * shape, weight_.low * shape};
-    }
-    constexpr double up = 1 + 8 * kUnitRoundoff, down = 1 - 8 * kUnitRoundoff;
-    return {weight_.low * perimeter.low() * perimeter.low() / area.high() * down,
-            area.low() > 0 ? weight_.high * perimeter.high() * perimeter.high() / area.low() * up
-                           : kNoBound};
-  }
-
   // Sets the key for the queue, and enters the candidate.
   void enter(const ClusterPair& pair, CandidatePair candidate) {
     candidate.key = candidate.concavity;
     if (!by_concavity_) {
-      const LengthBounds shape = shape_of(clusters_.at(pair.first), clusters_.at(pair.second));
+      const LengthBounds shape =
+          shapes_.term(clusters_.at(pair.first).shape, clusters_.at(pair.second).shape);
       const double round = is_float_ ? 0 : 2 * kUnitRoundoff;
       candidate.key.low = (candidate.concavity.low + shape.low) * (1 - round);
       candidate.key.high = (candidate.concavity.high + shape.high) * (1 + round);
@@ -266,29 +177,12 @@ class FilteredEngine {
   const MergeCost& exact_cost(const ClusterPair& pair, CandidatePair& candidate) {
     if (candidate.exact) return candidate.exact->cost;
     ++made_.exact_evaluations;
-    const Cluster& a = clusters_.at(pair.first);
-    const Cluster& b = clusters_.at(pair.second);
     const std::vector<TriangleId> triangles = triangles_of(pair);
     candidate.exact = std::make_unique<ExactCost>();
     MergeCost& cost = candidate.exact->cost;
     cost.squared_concavity = near_.squared(*candidate.united, triangles, options_.watch);
-    std::vector<RootTerm> areas, lengths;
-    for (const TriangleId t : triangles) {
-      if (!areas_[t.index()]) {
-        areas_[t.index()] =
-            root_of(area_vector(surface_.points, surface_.triangles[t.index()]).squaredNorm());
-      }
-      if (areas_[t.index()]->radicand != 0) areas.push_back(*areas_[t.index()]);
-    }
-    for (const std::uint32_t e : not_in_both(a.boundary, b.boundary)) {
-      if (!lengths_[e]) {
-        const auto& [low, high, length] = edges_[e];
-        lengths_[e] = root_of((surface_.points[high] - surface_.points[low]).squaredNorm());
-      }
-      lengths.push_back(*lengths_[e]);
-    }
-    cost.doubled_area = RootSum(std::move(areas));
-    cost.perimeter = RootSum(std::move(lengths));
+    shapes_.set_exact(cost, clusters_.at(pair.first).shape, clusters_.at(pair.second).shape,
+                      triangles);
     candidate.concavity = candidate.united->concavity;
     return cost;
   }
@@ -455,10 +349,8 @@ class FilteredEngine {
       }
     }
     a.triangles.insert(a.triangles.end(), b.triangles.begin(), b.triangles.end());
-    a.boundary = not_in_both(a.boundary, b.boundary);
-    a.doubled_area += b.doubled_area;
+    a.shape = shapes_.unite(a.shape, b.shape);
     a.near = std::move(near);
-    measure_boundary(a);
     a.neighbours.clear();
     for (const auto& [other, candidate] : known) {
       a.neighbours.push_back(other);
@@ -492,10 +384,9 @@ class FilteredEngine {
   bool is_float_, by_concavity_ = false;
   CostOrder order_;
   NearConcavity near_;
-  LengthBounds limit_, weight_;
-  std::vector<MeasuredEdge> edges_;
-  std::vector<std::optional<RootTerm>> areas_, lengths_;  // exact; by triangle, by edge
-  std::map<std::uint32_t, Cluster> clusters_;             // by their lowest triangles
+  NearShapes shapes_;
+  LengthBounds limit_;
+  std::map<std::uint32_t, Cluster> clusters_;  // by their lowest triangles
   std::map<ClusterPair, CandidatePair> candidates_;
   std::set<Place> queue_;  // candidates that are not certain to exceed the limit
   std::vector<Class> classes_{1};
