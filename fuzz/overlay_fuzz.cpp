@@ -12,7 +12,7 @@
 
 #include "fuzz_check.hpp"
 #include "fuzz_target.hpp"
-#include "overlay/arrangement.hpp"
+#include "overlay/convex_piece.hpp"
 #include "overlay_scenes.hpp"
 
 using namespace convexact;

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "number/arithmetic.hpp"
+#include "overlay/convex_piece.hpp"
 #include "overlay/scaled.hpp"
 
 namespace convexact {

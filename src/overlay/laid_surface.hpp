@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "convexact/overlay.hpp"
-#include "overlay/arrangement.hpp"
+#include "overlay/convex_piece.hpp"
 #include "overlay/scaled.hpp"
 
 namespace convexact {

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "convexact/measure.hpp"
-#include "overlay/arrangement.hpp"
+#include "overlay/convex_piece.hpp"
 
 namespace convexact {
 

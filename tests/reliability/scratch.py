@@ -24,6 +24,8 @@ _ROUNDED = ['src/fast/' + name for name in ('dual.cpp', 'signs.cpp', 'cap.cpp', 
 _HULL = ['tests/hull/near_geometry_test.cpp', 'src/hull/initial_simplex.cpp', 'src/hull/incremental_hull.cpp',
          'src/hull/merge_facets.cpp', 'src/hull/check_hull.cpp']
 _ORIENT = ['src/geometry/orient3d.cpp', 'tests/geometry/orient3d_bounds_test.cpp']
+_OVERLAY = ['src/overlay/' + name for name in (
+    'convex_part.cpp', 'coverage.cpp', 'laid_surface.cpp', 'union_boundary.cpp')]
 _EXPANSION = ['tests/number/expansion_test.cpp', *_ORIENT]
 UNITS = {
     'src/check/convexact_check.cpp': ['tests/check/checker.cpp'],
@@ -50,8 +52,8 @@ UNITS = {
     'src/fast/near_vertices.hpp': ['src/fast/near_vertices.cpp', 'src/fast/filtered_inner.cpp'],
     'src/near/near_geometry.hpp': _HULL,
     'src/hull/exact_points.hpp': _HULL,
-    'src/overlay/arrangement.hpp': ['src/overlay/' + name for name in (
-        'convex_part.cpp', 'coverage.cpp', 'laid_surface.cpp', 'union_boundary.cpp')],
+    'src/overlay/arrangement.hpp': _OVERLAY,
+    'src/overlay/convex_piece.hpp': _OVERLAY,
 }
 
 
