@@ -44,6 +44,8 @@ int exit_code(ErrorCode code) noexcept {
   return 70;
 }
 
+void reject_argument(const std::string& why) { throw Error(ErrorCode::InvalidArgument, why); }
+
 namespace detail {
 void assertion_failed(const char* condition, const char* file, int line) {
   throw Error(ErrorCode::Internal, std::string("invariant broken: ") + condition + " (" + file +

@@ -2,7 +2,6 @@
 // conform.hpp - judges the outputs of another program for inputs with known answers.
 #pragma once
 #include <array>
-#include <atomic>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
@@ -54,12 +53,11 @@ struct ProgramRun {
 /// No shell is involved: the words are its arguments as they are. Its standard input is empty, and
 /// it leaves no core dump.
 /// @param words  The program, looked up in PATH unless it has a slash, and its arguments.
-/// @param stop   When it becomes true, the program is killed: Error Stopped.
+/// @param watch  When it ends the run, the program is killed: Error Stopped.
 /// @throws Error InvalidArgument if there are no words or the time is not positive; Stopped also if
 ///               the system cannot make a process.
 [[nodiscard]] ProgramRun run_program(const std::vector<std::string>& words,
-                                     const ProgramLimits& limits,
-                                     const std::atomic<bool>* stop = nullptr);
+                                     const ProgramLimits& limits, const Watch& watch = {});
 
 /// The words with every "{name}" replaced by its value, also inside a word. Other braces stay.
 [[nodiscard]] std::vector<std::string> fill_in(const std::vector<std::string>& words,
@@ -254,11 +252,11 @@ inline constexpr std::array kAllNotRun = {NotRun::AsksOtherwise, NotRun::OtherFo
 /// unbounded: the order of tied removals decides where a greedy run ends.
 /// @param vector  As as_put() gives it.
 /// @param output  The program's output, if there is a file.
-/// @param stop    When it becomes true: Error Stopped.
+/// @param watch   Ends the judgement: Error Stopped.
 [[nodiscard]] Conformance judge_run(const TestVector& vector, const Promise& promise,
                                     const ProgramRun& run, const ProgramLimits& limits,
                                     const std::optional<Candidate>& output,
-                                    const std::atomic<bool>* stop = nullptr);
+                                    const StageWatch& watch = {});
 
 /// The vectors in a text. @param data  The folder of the meshes that vectors name.
 /// @throws Error Malformed for anything that the schema does not allow; NotFinite; Unreadable for a

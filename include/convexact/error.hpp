@@ -53,7 +53,40 @@ namespace detail {
 [[noreturn]] void assertion_failed(const char* condition, const char* file, int line);
 }
 
+/// @throws Error InvalidArgument: what is wrong with a request, and what would be right.
+[[noreturn]] void reject_argument(const std::string& why);
+
 // ---- How a caller watches a long loop, and ends it.
+
+/// A check at each step of a loop that may take seconds; without arguments it does nothing.
+class Watch {
+ public:
+  using Progress = std::function<void(std::size_t done, std::size_t total)>;
+
+  /// @param stop  When it becomes true, the loop ends. A signal handler may set it.
+  Watch(const std::atomic<bool>* stop = nullptr, Progress progress = {})
+      : stop_(stop), progress_(std::move(progress)) {}
+
+  /// @throws Error Stopped when the flag has become true.
+  void ask() const {
+    if (stop_ != nullptr && stop_->load(std::memory_order_relaxed)) {
+      throw Error(ErrorCode::Stopped, "interrupted");
+    }
+  }
+  /// Reports the number of steps done and of all steps, for steps that take microseconds and more.
+  void report(std::size_t done, std::size_t total) const {
+    if (progress_) progress_(done, total);
+  }
+  /// Calls ask(), and report() from time to time.
+  void at(std::size_t done, std::size_t total) const {
+    ask();
+    if (done % 256 == 0) report(done, total);
+  }
+
+ private:
+  const std::atomic<bool>* stop_;
+  Progress progress_;
+};
 
 /// How a caller watches a request while its stages run, and ends it.
 struct StageWatch {
@@ -66,31 +99,13 @@ struct StageWatch {
   const std::atomic<bool>* stop = nullptr;
   /// When it becomes true, a search for the least volume ends with the best so far.
   const std::atomic<bool>* settle = nullptr;
-};
 
-/// A check at each step of a loop that may take seconds; without arguments it does nothing.
-class Watch {
- public:
-  using Progress = std::function<void(std::size_t done, std::size_t total)>;
-
-  Watch(const std::atomic<bool>* stop = nullptr, Progress progress = {})
-      : stop_(stop), progress_(std::move(progress)) {}
-
-  /// @throws Error Stopped when the flag has become true.
-  void ask() const {
-    if (stop_ != nullptr && stop_->load(std::memory_order_relaxed)) {
-      throw Error(ErrorCode::Stopped, "interrupted");
-    }
+  /// For the loops of one stage; it must not outlive this.
+  Watch of(const std::string& stage) const {
+    if (!progress) return stop;
+    return Watch(
+        stop, [this, stage](std::size_t done, std::size_t total) { progress(stage, done, total); });
   }
-  /// Calls ask(), and from time to time reports the number of steps done and of all steps.
-  void at(std::size_t done, std::size_t total) const {
-    ask();
-    if (progress_ && done % 256 == 0) progress_(done, total);
-  }
-
- private:
-  const std::atomic<bool>* stop_;
-  Progress progress_;
 };
 
 }  // namespace convexact

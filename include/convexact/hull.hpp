@@ -5,12 +5,12 @@
 // volume give the point, line or plane that holds them. check_hull() proves a hull in linear time.
 #pragma once
 #include <array>
-#include <atomic>
 #include <cstdint>
 #include <span>
 #include <variant>
 #include <vector>
 
+#include "convexact/error.hpp"
 #include "convexact/geometry.hpp"
 #include "convexact/number.hpp"
 
@@ -76,8 +76,8 @@ struct HullOptions {
   /// Points are inserted furthest first until e n log2(n) steps are spent, the rest in random
   /// order. At least 0; 0 is random order from the start.
   double furthest_first_effort = 8;
-  const std::atomic<bool>* stop = nullptr;  ///< When it becomes true: Error Stopped.
-  HullObserver* observer = nullptr;         ///< Told of each insertion, if there is one.
+  Watch watch = {};                  ///< Ends it: Error Stopped.
+  HullObserver* observer = nullptr;  ///< Of our lessons; null for none.
 };
 
 /// Exact hull by randomised incremental insertion with a conflict graph.
@@ -108,54 +108,5 @@ struct HullOptions {
 
 /// check_hull() for homogeneous points.
 [[nodiscard]] bool check_hull(const Hull& hull, std::span<const HomogeneousPoint> points);
-
-// ---- Watching a hull being built
-
-/// A triangle of the surface under construction, counter-clockwise from outside.
-using HullTriangle = std::array<PointId, 3>;
-
-/// A point that still waits, filed with the triangle that it lies strictly beyond, and that the ray
-/// to it from the interior point meets.
-struct FiledPoint {
-  PointId point;
-  HullTriangle triangle;
-};
-
-/// The first simplex, and what becomes of the other points. The spans are valid during the call
-/// only.
-struct HullStart {
-  std::span<const HullTriangle> triangles;  ///< Four of them.
-  std::span<const FiledPoint> filed;
-  std::span<const InsideProof> inside;  ///< Points given up, each with its proof.
-};
-
-/// The effect of one insertion on the surface. The spans are valid during the call only.
-struct HullInsertion {
-  PointId point;
-  /// The triangles that the point sees: they go. Together they are a disk.
-  std::span<const HullTriangle> visible;
-  /// The rim of that disk, counter-clockwise from outside: the edges that stay lie between
-  /// horizon[k] and horizon[k + 1], cyclically.
-  std::span<const PointId> horizon;
-  /// The triangles (horizon[k], horizon[k + 1], point): they come.
-  std::span<const HullTriangle> added;
-  /// The points that waited at a visible triangle: each is filed with one of those added ...
-  std::span<const FiledPoint> filed;
-  /// ... or given up, with its proof. So are the vertices that the point swallows.
-  std::span<const InsideProof> inside;
-};
-
-/// Sees the hull grow, for lessons. The surface that start() shows, less the triangles that each
-/// insertion removes, plus those that it adds, ends as the hull; coplanar triangles are not merged.
-class HullObserver {
- public:
-  virtual ~HullObserver() = default;
-  /// Not called for points that span no volume.
-  virtual void start(const HullStart& start) = 0;
-  /// Called after each insertion; points that lie inside when their turn comes are not inserted.
-  virtual void inserted(const HullInsertion& insertion) = 0;
-  /// The hull in the end: coplanar triangles are merged, and only extreme points are corners.
-  virtual void finished(const Hull&) {}
-};
 
 }  // namespace convexact

@@ -62,7 +62,7 @@ struct LpOptions {
   /// Of the order of the rows. Kind, x, start and ray do not depend on it; where more rows are
   /// tight than needed, multipliers may.
   std::uint64_t seed = 1;
-  LpObserver* observer = nullptr;  ///< Told of each row that is inserted, if there is one.
+  LpObserver* observer = nullptr;  ///< Of our lessons; null for none.
 };
 
 /// Solves a linear program by randomised incremental construction, exactly. Of several optimal
@@ -165,31 +165,5 @@ using ChebyshevOutcome = std::variant<ChebyshevCenter, UnboundedRadius, FlatProo
 /// no code with the solver.
 [[nodiscard]] bool check(std::span<const Halfspace> halfspaces, const ChebyshevCenter& claim);
 [[nodiscard]] bool check(std::span<const Halfspace> halfspaces, const UnboundedRadius& claim);
-
-// ---- Watching rows being inserted
-
-/// A point, possibly at infinity: x + M direction for every M that is large enough.
-struct LpPoint {
-  RationalVector x;
-  RationalVector direction;  ///< Zero: the point is x.
-};
-
-/// The effect of one constraint on the optimum of those before it.
-struct LpInsertion {
-  std::size_t row;
-  bool moved;  ///< Whether the constraint cut the old optimum off.
-  /// The lexicographically largest of the optimal points so far, within a box of size M; nothing if
-  /// no point satisfies the constraints so far. Then this is the last insertion.
-  std::optional<LpPoint> optimum;
-};
-
-/// Sees the rows of a linear program inserted, for lessons.
-class LpObserver {
- public:
-  virtual ~LpObserver() = default;
-  /// The optimum without any row: a corner of the box.
-  virtual void start(const LpPoint& optimum) = 0;
-  virtual void inserted(const LpInsertion& insertion) = 0;
-};
 
 }  // namespace convexact

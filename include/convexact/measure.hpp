@@ -6,7 +6,6 @@
 #pragma once
 #include <algorithm>
 #include <array>
-#include <atomic>
 #include <memory>
 #include <optional>
 #include <span>
@@ -120,9 +119,9 @@ struct HausdorffDistance {
 /// The distance to a convex set is a convex function, so on the outer polytope it is largest at one
 /// of its vertices; and every point of the inner one lies in the outer one. Precondition: `outer`
 /// contains `inner`.
-/// @throws Error Stopped when `stop` becomes true.
+/// @throws Error Stopped when the watch ends it.
 /// @par Cost  NearestPoint for each outer vertex that is no inner one.
 [[nodiscard]] HausdorffDistance hausdorff_distance(const Polytope& outer, const Polytope& inner,
-                                                   const std::atomic<bool>* stop = nullptr);
+                                                   const Watch& watch = {});
 
 }  // namespace convexact

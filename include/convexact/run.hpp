@@ -3,9 +3,7 @@
 #pragma once
 #include <algorithm>
 #include <array>
-#include <atomic>
 #include <cstdint>
-#include <functional>
 #include <optional>
 #include <span>
 #include <string>
@@ -13,6 +11,7 @@
 #include <vector>
 
 #include "convexact/cost.hpp"
+#include "convexact/error.hpp"
 #include "convexact/geometry.hpp"
 #include "convexact/hull.hpp"
 #include "convexact/number.hpp"
@@ -212,10 +211,9 @@ struct SimplifyOptions {
   VerifyLevel verify = VerifyLevel::Local;
   /// Keep the evaluations of every removal; docs/proof-format.md has their use.
   bool keep_evaluations = false;
-  /// Called after every step with the number of halfspaces left.
-  std::function<void(std::size_t left)> progress = {};
-  /// When it becomes true, the run ends with Error(Stopped). May be set by a signal handler.
-  const std::atomic<bool>* stop = nullptr;
+  /// Told after each removal of those made and of those that lead to `faces`; ends the run with
+  /// Error Stopped.
+  Watch watch = {};
 
   CostMeasure growth_measure() const { return growth_of.value_or(cost); }
   /// Why a run ends when it finds no bounded removal.
@@ -289,10 +287,9 @@ struct InnerOptions {
   /// Stop before the volume falls below (1 - max_loss) times that of the hull; >= 0.
   std::optional<Rational> max_loss = {};
   std::uint64_t seed = 1;  ///< Of random orders; removals, costs and ties do not depend on it.
-  /// Called after every step with the number of vertices left.
-  std::function<void(std::size_t left)> progress = {};
-  /// When it becomes true, the run ends with Error(Stopped).
-  const std::atomic<bool>* stop = nullptr;
+  /// Told after each removal of those made and of those that lead to `vertices`; ends the run with
+  /// Error Stopped.
+  Watch watch = {};
 };
 
 /// Vertices that are left after all steps, ascending. @param count  Vertices at the start.
@@ -306,6 +303,6 @@ struct InnerOptions {
 ///               the cost, is the volume after, as rationals. It needs the costs.
 /// @throws Error Internal, naming the step and the claim, if one fails.
 void verify_inner_run(const VertexHull& hull, const InnerRun& run, VerifyLevel level,
-                      const std::atomic<bool>* stop = nullptr);
+                      const Watch& watch = {});
 
 }  // namespace convexact

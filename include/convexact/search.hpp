@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: MIT
 // search.hpp - beyond greedy: kept halfspaces exchanged for others as long as the solid shrinks.
 #pragma once
+#include <atomic>
 #include <cstdint>
 #include <functional>
 #include <optional>
 #include <vector>
 
 #include "convexact/dual.hpp"
+#include "convexact/error.hpp"
 #include "convexact/geometry.hpp"
 #include "convexact/run.hpp"
 
@@ -34,13 +36,11 @@ struct SearchOptions {
   CostMeasure cost = CostMeasure::Volume;
   CompareLimits compare = {};  ///< For mean widths. If undecided, a measure counts as not smaller.
   std::uint64_t seed = 1;      ///< Of the kicks: another one may lead elsewhere.
-  /// Called after every kick with the number of kicks made.
-  std::function<void(std::size_t kicks)> progress = {};
+  /// Told after each kick of those made and of `request.kicks`; ends the search with Error Stopped.
+  Watch watch = {};
   /// Called from time to time by search_optimal() with the number of states looked at so far, and a
   /// bound: at most this share of the incumbent's volume can be saved.
   std::function<void(std::size_t nodes, double gap)> bounded = {};
-  /// When it becomes true, the search ends with Error(Stopped).
-  const std::atomic<bool>* stop = nullptr;
   /// When it becomes true, no further kicks or states are tried, and the best result so far is
   /// returned.
   const std::atomic<bool>* settle = nullptr;

@@ -249,13 +249,13 @@ struct Gaps {
 /// @param parts   Of halfspaces, or of points without faces: nothing to test.
 /// @param solids  For each part the halfspaces whose intersection it is; without any, the empty
 ///                set.
-/// @throws Error  InvalidArgument unless there is a solid for each part; Stopped when `stop`
-///                becomes true.
+/// @throws Error  InvalidArgument unless there is a solid for each part; Stopped when the watch
+///                ends it.
 /// @par Cost      A sign for each point and halfspace of its part; for each face that is not inside
 ///                its own part one for each corner and halfspace of the scene.
 [[nodiscard]] Gaps find_gaps(std::span<const SceneObject> parts,
                              std::span<const std::vector<Halfspace>> solids,
-                             const std::atomic<bool>* stop = nullptr);
+                             const Watch& watch = {});
 
 // ---- Simplification from inside: removes vertices of a shape's hull one after another, so that
 // the hull of those left keeps as much of the volume as such removals can.

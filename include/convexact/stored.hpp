@@ -6,10 +6,10 @@
 // how far and by how much the solid grew. find_outside() is the test that both end with.
 #pragma once
 #include <array>
-#include <atomic>
 #include <span>
 #include <vector>
 
+#include "convexact/error.hpp"
 #include "convexact/geometry.hpp"
 #include "convexact/io.hpp"
 #include "convexact/number.hpp"
@@ -29,13 +29,12 @@ struct Growth {
 
 /// The points that lie strictly outside at least one of the halfspaces, ascending. By the
 /// definition of containment alone, without a hull, a dual or a certificate.
-/// @throws Error Stopped when `stop` becomes true.
+/// @throws Error Stopped when the watch ends it.
 /// @par Cost  One product n.x in doubles for each halfspace and block of 128 points, if its proven
 /// error bound decides the block's box; otherwise one for each pair; exact arithmetic only where
 /// that leaves the sign open.
 [[nodiscard]] std::vector<PointId> find_outside(std::span<const Halfspace> halfspaces,
-                                                const PointSet& points,
-                                                const std::atomic<bool>* stop = nullptr);
+                                                const PointSet& points, const Watch& watch = {});
 
 /// The number of these points.
 [[nodiscard]] std::size_t count_outside(std::span<const Halfspace> halfspaces,

@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: MIT
 // verify_order.hpp - is an order of removals greedy? Decided exactly, step by step.
 #pragma once
-#include <atomic>
 #include <cstdint>
-#include <functional>
 #include <limits>
 #include <optional>
 #include <string>
@@ -13,6 +11,7 @@
 
 #include "convexact/cost.hpp"
 #include "convexact/dual.hpp"
+#include "convexact/error.hpp"
 #include "convexact/geometry.hpp"
 #include "convexact/run.hpp"
 #include "convexact/verify.hpp"
@@ -216,8 +215,8 @@ struct JudgeOptions {
   double unit = 0x1p-53;
   /// Whether costs are confirmed from their definition, by some ten intersections from scratch.
   bool confirm = true;
-  const std::atomic<bool>* stop = nullptr;         ///< When it becomes true: Error Stopped.
-  std::function<void(std::size_t)> progress = {};  ///< Called with the number of judged steps.
+  /// Told of the judged steps and of those that leave four facets; ends it with Error Stopped.
+  Watch watch = {};
 };
 
 /// Follows an order to its end, to its first unbounded removal, or to the first row that names no
@@ -259,7 +258,7 @@ struct OrderText {
 };
 
 struct VerifyOrderRequest {
-  JudgeOptions judge = {};              ///< `kept`, `stop` and `progress` are set by the call.
+  JudgeOptions judge = {};              ///< `kept` and `watch` are set by the call.
   std::vector<KeepSelector> keep = {};  ///< Facets that the order is to keep.
   std::uint64_t seed = 1;  ///< Of every random order. The verdict does not depend on it.
   StageWatch watch = {};

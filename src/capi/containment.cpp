@@ -8,7 +8,7 @@
 #include "convexact/scene.hpp"
 #include "convexact/stored.hpp"
 #include "number/precision.hpp"
-#include "oracle/excess.hpp"
+#include "oracle/solid/excess.hpp"
 #include "solid/solid.hpp"
 
 struct convexact_containment {

@@ -14,18 +14,14 @@
 namespace convexact::cli {
 namespace {
 
-[[noreturn]] void reject_implicit(const std::string& message) {
-  throw Error(ErrorCode::InvalidArgument, message);
-}
-
 ImplicitBox parse_box(const std::string& option, const std::string& text) {
   const std::vector<std::string> words = words_of(text);
   if (words.size() != 4) {
-    reject_implicit(option + ": expected x0,y0,z0,edge, found " + in_quotes(text));
+    reject_argument(option + ": expected x0,y0,z0,edge, found " + in_quotes(text));
   }
   const auto number = [&](std::size_t k) { return parse_decimal(option, words[k]); };
   ImplicitBox box{{number(0), number(1), number(2)}, number(3)};
-  if (!(box.edge > 0)) reject_implicit(option + ": expected an edge above 0, found " + words[3]);
+  if (!(box.edge > 0)) reject_argument(option + ": expected an edge above 0, found " + words[3]);
   return box;
 }
 
@@ -37,14 +33,14 @@ void ImplicitOptions::require_complete(const std::vector<std::string>& inputs) c
   if (!is_given()) {
     const char* option = box ? "--box" : depth ? "--depth" : nullptr;
     if (option != nullptr) {
-      reject_implicit(std::string(option) + " is for an implicit shape: give --implicit as well");
+      reject_argument(std::string(option) + " is for an implicit shape: give --implicit as well");
     }
-    if (inputs.empty()) reject_implicit("INPUT is required, or --implicit SHAPE.json");
+    if (inputs.empty()) reject_argument("INPUT is required, or --implicit SHAPE.json");
     return;
   }
-  if (!inputs.empty()) reject_implicit("--implicit takes the place of INPUT: leave INPUT out");
-  if (!box) reject_implicit("--implicit needs --box x0,y0,z0,edge");
-  if (!depth) reject_implicit("--implicit needs --depth");
+  if (!inputs.empty()) reject_argument("--implicit takes the place of INPUT: leave INPUT out");
+  if (!box) reject_argument("--implicit needs --box x0,y0,z0,edge");
+  if (!depth) reject_argument("--implicit needs --depth");
 }
 
 void add_implicit_options(Command& command, ImplicitOptions& options) {

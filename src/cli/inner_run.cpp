@@ -15,32 +15,28 @@ namespace {
 // Those that other runs do not have.
 const std::vector<std::string_view> kOfInnerRuns = {"vertices", "max_loss"};
 
-[[noreturn]] void reject_inner(const std::string& message) {
-  throw Error(ErrorCode::InvalidArgument, message);
-}
-
 void require_sensible(const SimplifyArguments& options) {
   if (!options.keep.empty() || options.total_faces) {
-    reject_inner(std::string(options.keep.empty() ? "--total-faces" : "--keep") +
-                 " does not apply to an inner run (--inner)");
+    reject_argument(std::string(options.keep.empty() ? "--total-faces" : "--keep") +
+                    " does not apply to an inner run (--inner)");
   }
   if (!options.output.proof.empty()) {
-    reject_inner(
+    reject_argument(
         "--proof: convexact-check proves outer runs; --trace holds every step of an inner "
         "one");
   }
   options.output.require_sensible();
   if (options.output.precision == 32) {
-    reject_inner(
+    reject_argument(
         "--precision 32: an inner run keeps vertices of the input as they are, in "
         "binary64");
   }
   for (const std::string& path : options.output.results) {
     const auto format = mesh_format_of_path(path);
     if (format && holds_binary32_only(*format)) {
-      reject_inner("-o " + path +
-                   ": STL and GLB hold binary32; an inner run keeps vertices of the input "
-                   "as they are, in binary64");
+      reject_argument("-o " + path +
+                      ": STL and GLB hold binary32; an inner run keeps vertices of the input "
+                      "as they are, in binary64");
     }
     if (halfspace_format_of_path(path) && options.output.precision == 64) {
       throw Error(ErrorCode::Unrepresentable,
@@ -125,7 +121,7 @@ void require_inner(const SimplifyArguments& options) {
   if (options.inner) return;
   for (const auto& [info, text] : options.given.all()) {
     if (!is_wanted(*info, kOfInnerRuns)) continue;
-    reject_inner(option_of(*info) + " applies only to an inner run; give --inner as well");
+    reject_argument(option_of(*info) + " applies only to an inner run; give --inner as well");
   }
 }
 
@@ -137,8 +133,8 @@ int run_inner(const SimplifyArguments& options) {
   std::vector<SceneObject> scene = run.read(options.inputs, options.scene);
   for (const SceneObject& object : scene) {
     if (std::holds_alternative<PointSet>(object.shape)) continue;
-    reject_inner("--inner: " + object.name +
-                 " is a list of halfspaces; an inner run removes vertices of points or a mesh");
+    reject_argument("--inner: " + object.name +
+                    " is a list of halfspaces; an inner run removes vertices of points or a mesh");
   }
   options.output.require_room_for(scene.size());
   auto found = on_each_object<InnerResult>(

@@ -19,10 +19,6 @@
 namespace convexact::cli {
 namespace {
 
-[[noreturn]] void reject(const std::string& message) {
-  throw Error(ErrorCode::InvalidArgument, message);
-}
-
 bool is_binary32_only(const std::string& path) {
   const auto format = mesh_format_of_path(path);
   return format && holds_binary32_only(*format);
@@ -130,27 +126,30 @@ void OutputOptions::require_sensible() const {
   bool other_mesh = false;
   for (const std::string& path : results) {
     if (!mesh_format_of_path(path) && !halfspace_format_of_path(path)) {
-      reject("-o " + path +
-             ": expected an extension .obj, .off, .ply, .stl, .glb, .xyz, .json, .ine or .txt");
+      reject_argument(
+          "-o " + path +
+          ": expected an extension .obj, .off, .ply, .stl, .glb, .xyz, .json, .ine or .txt");
     }
     if (is_binary32_only(path)) floats = path;
     other_mesh = other_mesh || (mesh_format_of_path(path) && !is_binary32_only(path));
   }
   if (!floats.empty() && (precision == 64 || (other_mesh && precision == 0))) {
-    reject("-o " + floats + ": " +
-           (mesh_format_of_path(floats) == MeshFormat::Stl ? "STL" : "GLB") +
-           " holds binary32 only: use --precision 32, or write it in a run of its own");
+    reject_argument("-o " + floats + ": " +
+                    (mesh_format_of_path(floats) == MeshFormat::Stl ? "STL" : "GLB") +
+                    " holds binary32 only: use --precision 32, or write it in a run of its own");
   }
 }
 
 void OutputOptions::require_room_for(std::size_t objects) const {
   if (objects < 2) return;
-  if (!trace.empty()) reject("--trace: a trace describes one object, but there are several");
-  if (!proof.empty()) reject("--proof: a proof describes one object, but there are several");
+  if (!trace.empty())
+    reject_argument("--trace: a trace describes one object, but there are several");
+  if (!proof.empty())
+    reject_argument("--proof: a proof describes one object, but there are several");
   for (const std::string& path : results) {
     const auto format = mesh_format_of_path(path);
     if (format != MeshFormat::Obj && format != MeshFormat::Gltf) {
-      reject("-o " + path + ": only .obj and .glb hold several objects");
+      reject_argument("-o " + path + ": only .obj and .glb hold several objects");
     }
   }
 }
@@ -161,7 +160,8 @@ void require_other_files(const std::vector<std::string>& outputs,
     for (const std::string& input : inputs) {
       std::error_code missing;  // a file that does not exist is none of the inputs
       if (std::filesystem::equivalent(output, input, missing)) {
-        reject("-o " + output + ": this file is an input, which would be lost; name another file");
+        reject_argument("-o " + output +
+                        ": this file is an input, which would be lost; name another file");
       }
     }
   }

@@ -55,6 +55,11 @@ StageWatch Progress::watch() {
           .settle = &settled()};
 }
 
+Watch Progress::watch(const std::string& what) {
+  return {&interrupted(),
+          [this, what](std::size_t done, std::size_t total) { (*this)(what, done, total); }};
+}
+
 void Progress::begin(const std::string& what) {
   const std::lock_guard lock(mutex_);
   what_ = what;

@@ -28,6 +28,8 @@ class Progress {
   void clear();
   /// Stages show as they begin; an interrupt ends them. Must not outlive this.
   [[nodiscard]] StageWatch watch();
+  /// The same for work that is no request, of one activity.
+  [[nodiscard]] Watch watch(const std::string& what);
 
  private:
   using Clock = std::chrono::steady_clock;

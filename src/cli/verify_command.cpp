@@ -14,7 +14,7 @@
 #include "convexact/io.hpp"
 #include "convexact/scene.hpp"
 #include "convexact/verify.hpp"
-#include "oracle/scene_verdict.hpp"
+#include "oracle/parts/scene_verdict.hpp"
 #include "pages/verdict_picture.hpp"
 #include "scene/objects.hpp"
 #include "wire/scene_report.hpp"

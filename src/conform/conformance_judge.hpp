@@ -22,8 +22,8 @@ struct Case {
   const Candidate& output;
   Given given;
   Verdict verdict;
-  std::optional<Polytope> solid;            ///< Of the output; its vertices may be beyond doubles.
-  const std::atomic<bool>* stop = nullptr;  ///< Ends the judgement.
+  std::optional<Polytope> solid;  ///< Of the output; its vertices may be beyond doubles.
+  StageWatch watch = {};          ///< Ends the judgement.
   Conformance result;
 
   void fail(Outcome outcome, std::string sentence, Rational size = 0, bool is_rounding = false) {

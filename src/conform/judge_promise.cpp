@@ -10,8 +10,8 @@
 #include "convexact/measure.hpp"
 #include "convexact/number.hpp"
 #include "convexact/verify.hpp"
-#include "oracle/excess.hpp"
-#include "oracle/mesh_surface.hpp"
+#include "oracle/solid/excess.hpp"
+#include "oracle/solid/mesh_surface.hpp"
 
 namespace convexact::oracle {
 namespace {
@@ -66,7 +66,7 @@ bool leak_is_rounding(const Case& c) {
     const Rational unit =
         scale_by_power_of_two(kRoundingUlps, 1 - significand_bits(c.promise.numbers));
     for (const Halfspace& plane : list->halfspaces) {
-      Watch(c.stop).ask();
+      Watch(c.watch.stop).ask();
       const auto worst = find_excess(std::span(&plane, 1), c.given.points);
       if (!worst) continue;
       const RationalPoint p = c.given.points[worst->point];
@@ -84,7 +84,7 @@ bool faces_are_rounded(const Case& c) {
   const Rational slack = slack_of(mesh, c.promise);
   const PointSet corners(c.solid->vertices);
   for (const auto& polygon : mesh.polygons) {
-    Watch(c.stop).ask();
+    Watch(c.watch.stop).ask();
     std::vector<RationalPoint> face;
     for (const std::uint32_t corner : polygon) face.push_back(mesh.points[PointId(corner)]);
     const RationalVector3 area = area_vector(mesh.points, polygon);

@@ -102,7 +102,7 @@ SimplifyResult greedy_run(const Case& c, std::size_t faces) {
   SimplifyRequest request;
   request.faces = faces;
   request.exact_volumes = true;
-  request.watch.stop = c.stop;
+  request.watch = c.watch;
   return std::get<SimplifyResult>(simplify(c.given.points, request));
 }
 
@@ -181,14 +181,14 @@ constexpr std::size_t kMostTieStates = 10000;
 // ends with as many, or other choices among removals of the same cost lead to it.
 ByTies is_end_of_removals(Case& c, std::size_t found) {
   const std::optional<std::vector<Halfspace>> kept = kept_facets(c.verdict.size);
-  if (!kept || !is_stuck(*kept, Watch(c.stop))) return ByTies::DoNotLead;
+  if (!kept || !is_stuck(*kept, Watch(c.watch.stop))) return ByTies::DoNotLead;
   // Where the volume is known, so is the number of facets, and more of them are allowed already.
   if (const auto* question = c.simplification(); question != nullptr && !question->volume) {
     if (found <= greedy_run(c, question->faces).solid.exact.planes.size()) return ByTies::Lead;
   }
-  StageLog log(StageWatch{.stop = c.stop});
+  StageLog log(c.watch);
   const auto solid = make_solid(Shape(c.given.points), kSeed, true, log);
-  return do_ties_lead(std::get<Solid>(solid), *kept, kMostTieStates, c.stop);
+  return do_ties_lead(std::get<Solid>(solid), *kept, kMostTieStates, c.watch.stop);
 }
 
 // A simplification with too many facets is accepted if it is an end of removals, unless it breaks
@@ -233,7 +233,7 @@ void measure(Case& c) {
   if (!c.result.outside || c.result.outside->points == 0) return;
   const NearestPoint nearest(*c.solid);
   for (const RationalPoint& corner : c.given.hull.vertices) {
-    Watch(c.stop).ask();
+    Watch(c.watch.stop).ask();
     const Rational squared = (nearest(corner) - corner).squaredNorm();
     if (squared != 0) ++c.result.outside_by_decade[decade_of(c.relative(squared))];
   }
@@ -275,7 +275,7 @@ const char* sentence_of_success(Asks asks) {
 }
 
 Conformance judge_output(const TestVector& vector, const Promise& promise, const Candidate& output,
-                         const std::atomic<bool>* stop) {
+                         const StageWatch& watch) {
   std::optional<Given> given = given_by(vector);
   if (!given)
     throw Error(ErrorCode::InvalidArgument, "a vector asks to enclose an input without volume");
@@ -286,7 +286,7 @@ Conformance judge_output(const TestVector& vector, const Promise& promise, const
   promised.max_facets = most_facets(vector, promise);
   VerifyRequest request = request_of(promised);
   request.slack_ulps = kRoundingUlps;
-  request.watch.stop = stop;
+  request.watch = watch;
   VerifyOutcome outcome = verify(input, output, request);
   Case c{.vector = vector,
          .promise = promise,
@@ -294,7 +294,7 @@ Conformance judge_output(const TestVector& vector, const Promise& promise, const
          .given = std::move(*given),
          .verdict = std::get<Verdict>(std::move(outcome)),
          .solid = solid_of(output),
-         .stop = stop,
+         .watch = watch,
          .result = {}};
   c.result.notes = c.verdict.notes;
   judge_claims(c);
@@ -352,8 +352,7 @@ std::optional<Conformance> judge_end(const ProgramRun& run, const ProgramLimits&
 
 // A program that ended with exit code 0 where a refusal is expected.
 Conformance judge_acceptance(const RefuseQuestion& question, const Promise& promise,
-                             const std::optional<Candidate>& output,
-                             const std::atomic<bool>* stop) {
+                             const std::optional<Candidate>& output, const StageWatch& watch) {
   if (promise.allow_flat && question.error == ErrorCode::NoInterior &&
       question.dimension.value_or(-1) >= 0) {
     return passed("accepted an input without volume, as the program may");
@@ -369,7 +368,7 @@ Conformance judge_acceptance(const RefuseQuestion& question, const Promise& prom
                                     .volume = {},
                                     .costs = {},
                                     .ties = {}};
-  Conformance result = judge_output(sound, promise, *output, stop);
+  Conformance result = judge_output(sound, promise, *output, watch);
   if (result.failures.empty()) {
     result.sentence =
         "only the faces of the file are malformed, and for its points the output is "
@@ -395,12 +394,12 @@ std::optional<Given> oracle::given_by(const TestVector& vector) {
 
 Conformance judge_run(const TestVector& vector, const Promise& promise, const ProgramRun& run,
                       const ProgramLimits& limits, const std::optional<Candidate>& output,
-                      const std::atomic<bool>* stop) {
+                      const StageWatch& watch) {
   const auto* refusal = std::get_if<RefuseQuestion>(&vector.question);
   if (const auto ended = judge_end(run, limits, refusal != nullptr)) return *ended;
-  if (refusal != nullptr) return judge_acceptance(*refusal, promise, output, stop);
+  if (refusal != nullptr) return judge_acceptance(*refusal, promise, output, watch);
   if (!output) return failed(Outcome::MissingOutput, "exit code 0, but no output");
-  return judge_output(vector, promise, *output, stop);
+  return judge_output(vector, promise, *output, watch);
 }
 
 }  // namespace convexact

@@ -84,7 +84,7 @@ std::string describe(const ProgramRun& run) {
 }
 
 ProgramRun run_program(const std::vector<std::string>& words, const ProgramLimits& limits,
-                       const std::atomic<bool>* stop) {
+                       const Watch& watch) {
   if (words.empty()) throw Error(ErrorCode::InvalidArgument, "no program to run");
   if (!(limits.seconds > 0))
     throw Error(ErrorCode::InvalidArgument, "the time limit of a program must be above 0");
@@ -100,7 +100,7 @@ ProgramRun run_program(const std::vector<std::string>& words, const ProgramLimit
       limits);
   std::optional<ProgramRun> run;
   while (!(run = process.poll(20))) {
-    Watch(stop).ask();
+    watch.ask();
   }
   if (run->end == ProgramEnd::Exited && !process.result().empty()) return {};
   return *std::move(run);

@@ -185,8 +185,8 @@ Conformance judge_in_time(const TestVector& vector, const ProgramRun& run,
   try {
     return in_time(
         options.judge_seconds, "verdict",
-        [&](const std::atomic<bool>* stop) {
-          return judge_run(vector, options.promise, run, options.limits, candidate, stop);
+        [&](const StageWatch& watch) {
+          return judge_run(vector, options.promise, run, options.limits, candidate, watch);
         },
         interrupt);
   } catch (const Error& error) {

@@ -17,11 +17,11 @@ using Removals = std::vector<HalfspaceId>;
 class TieSearch {
  public:
   TieSearch(const Solid& solid, std::vector<bool> stays, std::size_t most_states,
-            const std::atomic<bool>* stop)
+            const Watch& watch)
       : center_(interior_point_of(solid)),
         dual_(FastDual::of(solid.dual, center_)),
-        options_{.stop = stop},
-        watch_(stop),
+        options_{.watch = watch},
+        watch_(watch),
         stays_(std::move(stays)),
         staying_(static_cast<std::size_t>(std::count(stays_.begin(), stays_.end(), true))),
         most_states_(most_states) {}
@@ -80,7 +80,7 @@ class TieSearch {
 }  // namespace
 
 ByTies do_ties_lead(const Solid& solid, std::span<const Halfspace> to, std::size_t most_states,
-                    const std::atomic<bool>* stop) {
+                    const Watch& watch) {
   const std::vector<Halfspace>& halfspaces = solid.dual.halfspaces;
   std::vector<bool> stays(halfspaces.size(), false);
   for (const Halfspace& plane : to) {
@@ -88,7 +88,7 @@ ByTies do_ties_lead(const Solid& solid, std::span<const Halfspace> to, std::size
     if (found == halfspaces.end()) return ByTies::DoNotLead;
     stays[static_cast<std::size_t>(found - halfspaces.begin())] = true;
   }
-  return TieSearch(solid, std::move(stays), most_states, stop).run();
+  return TieSearch(solid, std::move(stays), most_states, watch).run();
 }
 
 }  // namespace convexact::oracle

@@ -200,7 +200,6 @@ void InnerLoop::remove(VertexId v) {
 }
 
 InnerRun InnerLoop::run() {
-  const Watch watch(options_.stop);
   const VertexDeterminants& exact = near_.exact();
   std::optional<Rational> limit;  // of six times the volume lost
   if (options_.max_loss) {
@@ -213,7 +212,7 @@ InnerRun InnerLoop::run() {
     for (std::size_t v = 0; v < near_.size(); ++v) evaluate(VertexId(v));
   }
   while (left_ > options_.vertices) {
-    watch.ask();
+    options_.watch.ask();
     const std::vector<VertexId>& tie = choose();
     const VertexId v = tie.front();
     if (limit) {
@@ -226,7 +225,7 @@ InnerRun InnerLoop::run() {
     loss_.prepare(v);
     run.steps.push_back(record(tie));
     remove(v);
-    if (options_.progress) options_.progress(left_);
+    options_.watch.report(near_.size() - left_, near_.size() - options_.vertices);
   }
   run.triangles = mesh_.triangles();
   return run;

@@ -41,8 +41,7 @@ bool GrowthBudget::allows_exactly(Cost before, const Cost& cost) {
     *exact_limit_ *= Rational(1 + *options_.max_growth);
   }
   const std::array<Cost, 2> parts{std::move(before), cost};
-  const Ordering ordering =
-      compare(sum_of(parts), *exact_limit_, options_.compare, Watch(options_.stop));
+  const Ordering ordering = compare(sum_of(parts), *exact_limit_, options_.compare, options_.watch);
   undecided_bits_ = ordering.order == Order::Undecided ? ordering.bits : 0;
   return ordering.order == Order::Less || ordering.order == Order::Equal;
 }
@@ -81,7 +80,7 @@ FastResult FilteredLoop::run(std::vector<Step>* steps) {
       break;
     }
     make(*step, steps);
-    if (options_.progress) options_.progress(left_);
+    options_.watch.report(dual_.size() - left_, dual_.size() - options_.faces);
   }
   FastResult result = finish(stop);
   if (stop == StopReason::GrowthLimit) result.growth_bits = growth.undecided_bits();
@@ -89,7 +88,7 @@ FastResult FilteredLoop::run(std::vector<Step>* steps) {
 }
 
 std::optional<FastStep> FilteredLoop::next() {
-  if (options_.stop != nullptr && *options_.stop) throw Error(ErrorCode::Stopped, "interrupted");
+  options_.watch.ask();
   const std::optional<HalfspaceId> choice = choose();
   if (!choice) return {};
   cap_.prepare(*choice);
@@ -231,7 +230,7 @@ bool FilteredLoop::refine_candidates() {
 
 // Reduces refined candidates to the tie, in canonical order.
 void FilteredLoop::keep_cheapest() {
-  evidence_ = ties_.keep_cheapest(candidates_, options_.compare, Watch(options_.stop));
+  evidence_ = ties_.keep_cheapest(candidates_, options_.compare, options_.watch);
   std::sort(candidates_.begin(), candidates_.end(),
             [&](HalfspaceId a, HalfspaceId b) { return dual_.precedes(a, b); });
   if (!are_bounds_close(candidates_[0])) refine(candidates_[0]);

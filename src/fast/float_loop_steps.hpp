@@ -62,7 +62,7 @@ FastResult FloatLoop<Arithmetic>::run() {
     }
     allowance = allowance - cost;
     make(*step);
-    if (options_.progress) options_.progress(left_);
+    options_.watch.report(dual_.size() - left_, dual_.size() - options_.faces);
   }
   return finish(stop);
 }
@@ -84,7 +84,7 @@ void FloatLoop<Arithmetic>::evaluate_all(bool removes_any) {
 
 template <class Arithmetic>
 std::optional<FastStep> FloatLoop<Arithmetic>::next() {
-  if (options_.stop != nullptr && *options_.stop) throw Error(ErrorCode::Stopped, "interrupted");
+  options_.watch.ask();
   const std::optional<HalfspaceId> choice = choose();
   if (!choice) return {};
   const double in_units = leading(scaled_cost(*choice)) / cost_multiple(options_.cost).lower;

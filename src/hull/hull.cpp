@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <numeric>
 
+#include "hull/hull_observer.hpp"
 #include "hull/hull_steps.hpp"
 #include "number/arithmetic.hpp"
 

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "convexact/error.hpp"
+#include "hull/hull_observer.hpp"
 #include "hull/hull_steps.hpp"
 #include "number/random.hpp"
 
@@ -92,7 +93,7 @@ class IncrementalHull {
     // it quadratic. So it has a budget of O(n log n) moves and triangles. The points left after
     // that are inserted in random order, whose expected bound holds after any start.
     const double n = static_cast<double>(near_.size());
-    stop_ = options.stop;
+    watch_ = options.watch;
     observer_ = options.observer;
     if (observer_ != nullptr) show_start();
     insert_furthest_first(options.furthest_first_effort * n * std::log2(n));
@@ -234,7 +235,7 @@ class IncrementalHull {
 
   // One insertion, as in [deBerg2008, sec. 11.2]; `seed` is visible from apex.
   void insert(PointId apex, std::uint32_t seed) {
-    if (stop_ != nullptr && *stop_) throw Error(ErrorCode::Stopped, "interrupted");
+    watch_.ask();
     ++round_;
     // (1) Visible means strictly beyond. The visible triangles are a disk: spread from the seed.
     collect_visible(apex, seed);
@@ -406,7 +407,7 @@ class IncrementalHull {
   TriangleFan<Points> fan_;
   std::uint32_t round_ = 0;
   double work_ = 0;
-  const std::atomic<bool>* stop_ = nullptr;
+  Watch watch_;
   HullObserver* observer_ = nullptr;
   // Of the current insertion; members to keep their memory.
   std::vector<std::uint32_t> visible_, outer_, added_;

@@ -19,10 +19,6 @@ using CellIndex = std::array<std::uint32_t, 3>;
 // The proven facts about a cell: f > L rho or f < -L rho at its center, or neither.
 enum class CellPlace { Outside, Inside, Kept, Undecided };
 
-[[noreturn]] void refuse_box(const std::string& message) {
-  throw Error(ErrorCode::InvalidArgument, message);
-}
-
 // Whether x and every coordinate between it and x + edge that is a multiple of `unit` away from x
 // is a double.
 bool are_doubles(double x, double edge, int unit) {
@@ -55,15 +51,15 @@ void require_exact_box(const ImplicitBox& box, std::size_t depth) {
     if (!std::isfinite(x)) throw Error(ErrorCode::NotFinite, "expected a box of finite numbers");
   }
   if (!(box.edge > 0))
-    refuse_box(fmt::format("expected a box with an edge above 0, found {}", box.edge));
+    reject_argument(fmt::format("expected a box with an edge above 0, found {}", box.edge));
   if (depth > kMostImplicitDepth) {
-    refuse_box(fmt::format("expected a depth up to {}, found {}", kMostImplicitDepth, depth));
+    reject_argument(fmt::format("expected a depth up to {}, found {}", kMostImplicitDepth, depth));
   }
   const int half_cell = odd_exponent(box.edge) - static_cast<int>(depth) - 1;
   for (const double x : box.low) {
     const int unit = x == 0 ? half_cell : std::min(half_cell, odd_exponent(x));
     if (unit < -1074 || !are_doubles(x, box.edge, unit)) {
-      refuse_box(fmt::format(
+      reject_argument(fmt::format(
           "the cells of the box at depth {} have corners or centers that are no doubles: choose "
           "numbers of fewer bits, such as whole ones",
           depth));
@@ -156,8 +152,8 @@ class Octree {
   }
 
   [[noreturn]] static void refuse_level(std::size_t level) {
-    refuse_box(fmt::format("more than {} cells are kept at level {}: choose a smaller depth",
-                           with_separators(kMostImplicitCells), level));
+    reject_argument(fmt::format("more than {} cells are kept at level {}: choose a smaller depth",
+                                with_separators(kMostImplicitCells), level));
   }
 
   static constexpr std::array<long, 2> kBits = {128, 512};

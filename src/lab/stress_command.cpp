@@ -118,9 +118,7 @@ int run_parts(const StressArguments& options) {
   }
   Progress progress;
   const std::vector<PartsStressRun> runs = stress_parts(
-      families, options.sweep.values, options.limits,
-      [&](std::size_t done, std::size_t total) { progress("cutting solids", done, total); },
-      &interrupted());
+      families, options.sweep.values, options.limits, progress.watch("cutting solids"));
   progress.clear();
   options.global.json ? print(parts_stress_json(runs)) : print(parts_stress_table(runs));
   const bool passes = std::all_of(runs.begin(), runs.end(),
@@ -173,10 +171,7 @@ int run_stress(const StressArguments& options) {
   request.search = options.search;
   request.limits = options.limits;
   request.processes = options.jobs;
-  request.stop = &interrupted();
-  request.progress = [&](std::size_t done, std::size_t total) {
-    progress("judging inputs", done, total);
-  };
+  request.watch = progress.watch("judging inputs");
   const StressReport report = stress(all_inputs(options), request);
   progress.clear();
   if (options.global.json) {

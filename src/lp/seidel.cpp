@@ -7,6 +7,7 @@
 #include "convexact/error.hpp"
 #include "convexact/linear_program.hpp"
 #include "lp/flat.hpp"
+#include "lp/lp_observer.hpp"
 #include "number/arithmetic.hpp"
 #include "number/random.hpp"
 

@@ -214,13 +214,13 @@ NearestPoint::~NearestPoint() = default;
 RationalPoint NearestPoint::operator()(const RationalPoint& x) const { return (*search_)(x); }
 
 HausdorffDistance hausdorff_distance(const Polytope& outer, const Polytope& inner,
-                                     const std::atomic<bool>* stop) {
+                                     const Watch& watch) {
   std::optional<NearestPoint> nearest_point;  // hulls often share all vertices
   std::vector<RationalPoint> shared = inner.vertices;
   std::sort(shared.begin(), shared.end(), precedes<RationalPoint>);
   std::optional<HausdorffDistance> best;
   for (std::uint32_t v = 0; v < outer.vertices.size(); ++v) {
-    if (stop != nullptr && *stop) throw Error(ErrorCode::Stopped, "interrupted");
+    watch.ask();
     const RationalPoint& vertex = outer.vertices[v];
     // For a vertex of both, the facets do not matter.
     const bool is_shared =

@@ -66,10 +66,6 @@ Range range_at_corners(Operation f, const std::array<mpfr_srcptr, 2>& a,
   return range;
 }
 
-[[noreturn]] void reject_operand(const char* message) {
-  throw Error(ErrorCode::InvalidArgument, message);
-}
-
 }  // namespace
 
 Enclosure::Enclosure(const Rational& x, long precision) : Enclosure(x, x, precision) {}
@@ -157,7 +153,7 @@ Enclosure& Enclosure::operator*=(const Enclosure& other) {
 }
 
 Enclosure& Enclosure::operator/=(const Enclosure& other) {
-  if (other.sign().value_or(Sign::Zero) == Sign::Zero) reject_operand("a divisor may be zero");
+  if (other.sign().value_or(Sign::Zero) == Sign::Zero) reject_argument("a divisor may be zero");
   Range range = range_at_corners(mpfr_div, {low_.data(), high_.data()},
                                  {other.low_.data(), other.high_.data()},
                                  std::max(precision(), other.precision()));
@@ -168,7 +164,7 @@ Enclosure& Enclosure::operator/=(const Enclosure& other) {
 }
 
 Enclosure sqrt(const Enclosure& x) {
-  if (x.sign() == Sign::Negative) reject_operand("the square root of a negative number");
+  if (x.sign() == Sign::Negative) reject_argument("the square root of a negative number");
   Enclosure result(x.precision());  // its lower end is 0
   if (mpfr_sgn(x.low_.data()) > 0) mpfr_sqrt(result.low_.data(), x.low_.data(), MPFR_RNDD);
   mpfr_sqrt(result.high_.data(), x.high_.data(), MPFR_RNDU);
@@ -191,9 +187,9 @@ BigFloat relative_width(const BigFloat& low, const BigFloat& high) {
 }  // namespace
 
 Enclosure atan2(const Enclosure& y, const Enclosure& x) {
-  if (mpfr_sgn(y.low_.data()) < 0) reject_operand("an angle below the x axis");
+  if (mpfr_sgn(y.low_.data()) < 0) reject_argument("an angle below the x axis");
   if (mpfr_zero_p(y.low_.data()) && x.sign().value_or(Sign::Zero) == Sign::Zero) {
-    reject_operand("the angle of the origin");
+    reject_argument("the angle of the origin");
   }
   free_pi_with_its_thread();
   BigFloat low(y.low_), high(y.high_);  // without the sign of -0, whose angles are negative

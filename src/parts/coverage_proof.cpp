@@ -11,19 +11,19 @@
 namespace convexact {
 namespace {
 
-void require_held(const Part& part, const PointSet& points, const std::atomic<bool>* stop) {
-  const std::size_t outside = find_outside(part.halfspaces, points, stop).size();
+void require_held(const Part& part, const PointSet& points, const Watch& watch) {
+  const std::size_t outside = find_outside(part.halfspaces, points, watch).size();
   if (outside > 0) {
     throw Error(ErrorCode::Internal, fmt::format("{} points of a part lie outside of it", outside));
   }
 }
 
 // Each loose point lies in its part.
-void prove_loose_points(const Decomposition& made, const std::atomic<bool>* stop) {
+void prove_loose_points(const Decomposition& made, const Watch& watch) {
   std::size_t loose = 0;
   for (const Part& part : made.parts) {
     loose += part.loose.size();
-    require_held(part, subset(made.surface.unused, part.loose), stop);
+    require_held(part, subset(made.surface.unused, part.loose), watch);
   }
   if (loose != made.surface.unused.size()) {
     throw Error(ErrorCode::Internal, "a loose point has no part");
@@ -32,12 +32,12 @@ void prove_loose_points(const Decomposition& made, const std::atomic<bool>* stop
 
 }  // namespace
 
-void prove_owners(Decomposition& made, const std::atomic<bool>* stop) {
+void prove_owners(Decomposition& made, const Watch& watch) {
   made.owner.assign(made.surface.triangles.size(), kNoOwner);
   for (std::uint32_t k = 0; k < made.parts.size(); ++k) {
     const Part& part = made.parts[k];
     const auto corners = points_of(made.surface, part.owns);
-    require_held(part, subset(made.surface.points, corners), stop);
+    require_held(part, subset(made.surface.points, corners), watch);
     for (const TriangleId t : part.owns) {
       if (made.owner[t.index()] != kNoOwner) {
         throw Error(ErrorCode::Internal, "a triangle has two owners");
@@ -49,10 +49,10 @@ void prove_owners(Decomposition& made, const std::atomic<bool>* stop) {
   if (made.tested_triangles != made.surface.triangles.size()) {
     throw Error(ErrorCode::Internal, "a triangle has no owner");
   }
-  prove_loose_points(made, stop);
+  prove_loose_points(made, watch);
 }
 
-void prove_leaves(Decomposition& made, const std::atomic<bool>* stop) {
+void prove_leaves(Decomposition& made, const Watch& watch) {
   const Partition& partition = std::get<Partition>(made.origin);
   made.owner.assign(made.surface.triangles.size(), kNoOwner);
   std::vector<bool> is_shared(made.owner.size(), false);
@@ -62,7 +62,7 @@ void prove_leaves(Decomposition& made, const std::atomic<bool>* stop) {
     for (const std::uint32_t leaf : part.leaves) {
       if (is_held[leaf]) throw Error(ErrorCode::Internal, "a leaf has two parts");
       is_held[leaf] = true;
-      require_held(part, PointSet(partition.leaves[leaf].hull.vertices), stop);
+      require_held(part, PointSet(partition.leaves[leaf].hull.vertices), watch);
       for (const TriangleId t : partition.leaves[leaf].triangles) {
         std::uint32_t& owner = made.owner[t.index()];
         is_shared[t.index()] = is_shared[t.index()] || (owner != kNoOwner && owner != k);
@@ -78,7 +78,7 @@ void prove_leaves(Decomposition& made, const std::atomic<bool>* stop) {
     if (made.owner[t] != kNoOwner) made.parts[made.owner[t]].owns.emplace_back(t);
   }
   made.tested_triangles = made.owner.size();
-  prove_loose_points(made, stop);
+  prove_loose_points(made, watch);
 }
 
 }  // namespace convexact

@@ -21,27 +21,26 @@ bool is_inside(const Polygon& face, const PointSet& points, std::span<const Half
 
 // For each point, whether it is outside the solid of its part.
 std::vector<bool> points_outside(const PointSet& points, const std::vector<Halfspace>& solid,
-                                 const std::atomic<bool>* stop) {
+                                 const Watch& watch) {
   std::vector<bool> is_outside(points.size(), solid.empty());
-  for (const PointId p : find_outside(solid, points, stop)) is_outside[p.index()] = true;
+  for (const PointId p : find_outside(solid, points, watch)) is_outside[p.index()] = true;
   return is_outside;
 }
 
 }  // namespace
 
 Gaps find_gaps(std::span<const SceneObject> parts, std::span<const std::vector<Halfspace>> solids,
-               const std::atomic<bool>* stop) {
+               const Watch& watch) {
   if (parts.size() != solids.size()) {
     throw Error(ErrorCode::InvalidArgument, "the gap test needs a solid for each part");
   }
   Gaps gaps;
-  const Watch watch(stop);
   for (std::size_t part = 0; part < parts.size(); ++part) {
     const auto* points = std::get_if<PointSet>(&parts[part].shape);
     const std::vector<Polygon>& faces = parts[part].polygons;
     if (points == nullptr || faces.empty()) continue;
     gaps.faces += faces.size();
-    const std::vector<bool> is_outside = points_outside(*points, solids[part], stop);
+    const std::vector<bool> is_outside = points_outside(*points, solids[part], watch);
     for (std::size_t face = 0; face < faces.size(); ++face) {
       const bool sticks_out = std::any_of(faces[face].begin(), faces[face].end(),
                                           [&](std::uint32_t corner) { return is_outside[corner]; });

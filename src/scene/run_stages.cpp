@@ -8,11 +8,9 @@
 #include <unordered_map>
 
 #include "convexact/error.hpp"
-#include "convexact/linear_program.hpp"
 #include "convexact/measure.hpp"
 #include "convexact/stored.hpp"
 #include "fast/checks.hpp"
-#include "lp/interior_point.hpp"
 #include "number/precision.hpp"
 #include "scene/search_stage.hpp"
 #include "simplify/replay.hpp"
@@ -25,32 +23,14 @@ namespace {
 // minutes.
 constexpr long kLeastTieBits = 128, kMostTieBits = 1L << 20;
 
-RationalPoint chebyshev_stage(const std::vector<Halfspace>& halfspaces, std::uint64_t seed,
-                              StageLog& log) {
-  return log.run("Chebyshev center", [&] {
-    const auto outcome = chebyshev_center(halfspaces, LpOptions{.seed = seed});
-    const auto* center = std::get_if<ChebyshevCenter>(&outcome);
-    if (center == nullptr || !check(halfspaces, *center)) {
-      throw Error(ErrorCode::Internal, "the certificate fails: a largest ball in the hull");
-    }
-    return center->center;
-  });
-}
-
 RationalPoint find_center(const Solid& solid, const SimplifyRequest& request, StageLog& log) {
   const std::vector<Halfspace>& halfspaces = solid.dual.halfspaces;
-  if (request.center) {
-    log.skip("Chebyshev center", "the caller gave a center");
-    if (!is_strictly_inside(halfspaces, *request.center)) {
-      throw Error(ErrorCode::InvalidArgument, "the center is not strictly inside the input's hull");
-    }
-    return *request.center;
-  }
+  if (request.center) return given_center(*request.center, halfspaces, log);
   if (request.engine != Engine::Exact) {
     log.skip("Chebyshev center", "any interior point serves this engine");
     return log.run("center", [&] { return interior_point_of(solid); });
   }
-  return chebyshev_stage(halfspaces, request.seed, log);
+  return certified_center(halfspaces, {.seed = request.seed}, log).center;
 }
 
 // The exact planes of the survivors alone, and their solid.
@@ -239,7 +219,7 @@ SimplifyOptions options_of(const SimplifyRequest& request, const RunInput& input
   options.verify = request.verify;
   // The proof of a run by mean width shows its removals only.
   options.keep_evaluations = request.record && request.cost != CostMeasure::MeanWidth;
-  options.stop = request.watch.stop;
+  options.watch = request.watch.of(stage::kSimplify);
   return options;
 }
 
@@ -290,36 +270,58 @@ InputMeasures measure_input(const RunInput& input, const SimplifyRequest& reques
   return result;
 }
 
+namespace {
+
+// The record of an engine that keeps none, where it is wanted, and the second check of steps.
+void complete_record(RunEnd& end, const RunInput& input, const SimplifyRequest& request,
+                     StageLog& log) {
+  if (request.record && !end.run) {
+    end.run = log.run("replay", [&] {
+      return replay(input.solid->dual, input.center, end.removed, request.seed);
+    });
+    end.run->kept = input.keep;
+  }
+  if (request.engine == Engine::Filtered && request.verify == VerifyLevel::Full) {
+    log.run("steps again", [&] { verify_steps(*end.run, input.solid->dual, request); });
+  }
+}
+
+// The measures of a result, those of InputMeasures beside those before.
+struct OutputMeasures {
+  Measured volume;
+  std::optional<std::array<Enclosure, 2>> measure = {}, limited = {};
+};
+
+OutputMeasures measure_output(const Polytope& polytope, const InputMeasures& before,
+                              const SimplifyRequest& request, StageLog& log) {
+  OutputMeasures after{
+      log.run("volume", [&] { return measure_volume(polytope, request.exact_volumes); })};
+  if (!request.exact_volumes) log.skip("exact volume", "the fraction was not requested");
+  const auto compared = [&](const Enclosure& of_input, CostMeasure measure) {
+    return std::array<Enclosure, 2>{of_input, log.run(measure_stage(measure), [&] {
+                                      return enclose_measure(polytope, measure, kMeasureBits);
+                                    })};
+  };
+  if (before.measure) {
+    after.measure = compared(*before.measure, request.cost);
+  } else {
+    log.skip("area and mean width", "the run is by volume; hull reports them");
+  }
+  if (before.limited) after.limited = compared(*before.limited, *request.growth_of);
+  return after;
+}
+
+}  // namespace
+
 SimplifyResult finish_run(RunInput& input, InputMeasures before, RunEnd end,
                           const SimplifyRequest& request, StageLog& log) {
   std::optional<Solid>& solid = input.solid;
   std::optional<RunStart> start;
   if (request.record) start = start_of(input.shape, *solid);
-  if (request.record && !end.run) {
-    end.run = log.run("replay",
-                      [&] { return replay(solid->dual, input.center, end.removed, request.seed); });
-    end.run->kept = input.keep;
-  }
-  if (request.engine == Engine::Filtered && request.verify == VerifyLevel::Full) {
-    log.run("steps again", [&] { verify_steps(*end.run, solid->dual, request); });
-  }
+  complete_record(end, input, request, log);
   std::vector<KeptFacet> kept;
   if (solid) kept = find_kept(solid->dual.halfspaces, input.keep, end.polytope.planes);
-  Measured output_volume =
-      log.run("volume", [&] { return measure_volume(end.polytope, request.exact_volumes); });
-  if (!request.exact_volumes) log.skip("exact volume", "the fraction was not requested");
-  const auto compared = [&](const Enclosure& of_input, CostMeasure measure) {
-    return std::array<Enclosure, 2>{of_input, log.run(measure_stage(measure), [&] {
-                                      return enclose_measure(end.polytope, measure, kMeasureBits);
-                                    })};
-  };
-  std::optional<std::array<Enclosure, 2>> result_measure, limited;
-  if (before.measure) {
-    result_measure = compared(*before.measure, request.cost);
-  } else {
-    log.skip("area and mean width", "the run is by volume; hull reports them");
-  }
-  if (before.limited) limited = compared(*before.limited, *request.growth_of);
+  OutputMeasures after = measure_output(end.polytope, before, request, log);
   const PointSet& points = solid ? solid->points : std::get<PointSet>(input.shape);
   const std::vector<PointId>& extreme = solid ? solid->extreme : input.hull->vertices;
   const std::size_t tested = verify_containment(points, end.polytope, request.verify, log);
@@ -336,12 +338,12 @@ SimplifyResult finish_run(RunInput& input, InputMeasures before, RunEnd end,
       .start = std::move(start),
       .solid = std::move(stored),
       .input_volume = std::move(before.volume),
-      .output_volume = std::move(output_volume),
+      .output_volume = std::move(after.volume),
       .cost = request.cost,
-      .measure = std::move(result_measure),
+      .measure = std::move(after.measure),
       .growth_of = request.max_growth ? std::optional(request.growth_of.value_or(request.cost))
                                       : std::nullopt,
-      .limited = std::move(limited),
+      .limited = std::move(after.limited),
       .growth_bits = end.growth_bits,
       .ties = end.ties,
       .tested_points = tested,

@@ -16,8 +16,6 @@
 namespace convexact {
 namespace {
 
-[[noreturn]] void reject(const char* why) { throw Error(ErrorCode::InvalidArgument, why); }
-
 // The solids that the moves of a search lead to, each from its planes alone.
 class SolidsOfMoves {
  public:
@@ -72,101 +70,128 @@ void require_smaller(const Polytope& after, const Polytope& before,
   }
 }
 
-}  // namespace
-
-void require_sensible_search(const SimplifyRequest& request) {
-  if (request.search.kind == SearchKind::None) return;
-  if (request.engine == Engine::Float) {
-    reject(
-        "a search proves that each of its moves helps, which doubles cannot: choose the filtered "
-        "or the exact engine");
-  }
-  if (request.search.kind == SearchKind::Optimal && request.cost != CostMeasure::Volume) {
-    reject(
-        "only a volume can be proven the least: removing a halfspace may add less area or mean "
-        "width later, so no bound holds for what is left to be tried; leave out the "
-        "cost, or search by walk or local");
-  }
-  if (!request.faces) {
-    reject(
-        "a search keeps the number of halfspaces, which a growth limit leaves open: give the "
-        "number of faces as well");
-  }
-  if (request.record && request.search.kind != SearchKind::Optimal) {
-    reject(
-        "a proof is about the removals of a run, and this search ends elsewhere: leave out one of "
-        "them, or search for the optimum");
-  }
-}
-
-void search_further(RunEnd& end, const RunInput& input, const SimplifyRequest& request,
-                    StageLog& log) {
-  const DualHull& dual = input.solid->dual;
-  // (1) Exchanges, from the halfspaces that the removals left.
-  std::vector<bool> is_left(dual.halfspaces.size(), true);
+// The halfspaces that the removals left, ascending.
+HalfspaceIds left_by(const RunEnd& end, std::size_t halfspaces) {
+  std::vector<bool> is_left(halfspaces, true);
   for (const HalfspaceId i : end.run ? removed_in(*end.run) : end.removed) {
     is_left[i.index()] = false;
   }
-  std::vector<HalfspaceId> start;
+  HalfspaceIds left;
   for (std::size_t i = 0; i < is_left.size(); ++i) {
-    if (is_left[i]) start.emplace_back(i);
+    if (is_left[i]) left.emplace_back(i);
   }
+  return left;
+}
+
+const char* stage_of(const SearchRequest& search) {
+  return search.kind == SearchKind::Optimal ? stage::kOptimum : stage::kSearch;
+}
+
+SearchOptions search_options(const SimplifyRequest& request, const RunInput& input) {
+  const std::string name = stage_of(request.search);
   SearchOptions options{.request = request.search,
                         .engine = request.engine,
                         .keep = input.keep,
                         .cost = request.cost,
                         .compare = request.compare,
                         .seed = request.seed,
-                        .stop = request.watch.stop,
+                        .watch = request.watch.of(name),
                         .settle = request.watch.settle};
-  const bool is_optimal = request.search.kind == SearchKind::Optimal;
-  const char* const name = is_optimal ? stage::kOptimum : stage::kSearch;
   if (request.watch.progress) {
-    options.progress = [&](std::size_t kicks) {
-      request.watch.progress(name, kicks, request.search.kicks);
-    };
-    options.bounded = [&](std::size_t nodes, double gap) {
+    options.bounded = [&request, name](std::size_t nodes, double gap) {
       request.watch.progress(fmt::format("{}, gap {:.1g}%", name, 100 * gap), nodes,
                              request.search.nodes);
     };
   }
-  SearchRun found = log.run(name, [&] {
-    const auto search = is_optimal ? search_optimal_from : search_from;
+  return options;
+}
+
+// Sets the measure after each move, if there is a trace, and proves that each makes the solid
+// smaller, if that is asked for. Returns the last solid.
+Polytope follow(std::vector<Move>& moves, const SolidsOfMoves& solids, Polytope before,
+                const SimplifyRequest& request) {
+  const std::size_t count = moves.size();
+  const bool wants_each = request.trace || request.verify == VerifyLevel::Full;
+  for (std::size_t k = wants_each || count == 0 ? 1 : count; k <= count; ++k) {
+    Polytope after = solids.after(k);
+    if (request.verify != VerifyLevel::None) require_smaller(after, before, request);
+    if (request.trace) moves[k - 1].measure = exact_measure(after, request.cost);
+    before = std::move(after);
+  }
+  return before;
+}
+
+// @param greedy, last  The solids before and after all moves.
+SearchResult measure_search(const SearchRun& found, const SolidsOfMoves& solids,
+                            const Polytope& greedy, const Polytope& last,
+                            const SimplifyRequest& request) {
+  const auto measured = [&](const Polytope& polytope) {
+    return enclose_measure(polytope, request.cost, kMeasureBits);
+  };
+  SearchResult result{request.search, found.tried, found.moves, measured(greedy), measured(last)};
+  result.optimality = found.optimality;
+  const auto measured_after = [&](std::size_t k) {
+    return k == 0                    ? result.greedy
+           : k == found.moves.size() ? result.now
+                                     : measured(solids.after(k));
+  };
+  if (const auto best = best_of(found.changes)) {
+    result.best.emplace(
+        SearchResult::Best{*best, measured_after(*best), measured_after(*best + 1)});
+  }
+  return result;
+}
+
+}  // namespace
+
+void require_sensible_search(const SimplifyRequest& request) {
+  if (request.search.kind == SearchKind::None) return;
+  if (request.engine == Engine::Float) {
+    reject_argument(
+        "a search proves that each of its moves helps, which doubles cannot: choose the filtered "
+        "or the exact engine");
+  }
+  if (request.search.kind == SearchKind::Optimal && request.cost != CostMeasure::Volume) {
+    reject_argument(
+        "only a volume can be proven the least: removing a halfspace may add less area or mean "
+        "width later, so no bound holds for what is left to be tried; leave out the "
+        "cost, or search by walk or local");
+  }
+  if (!request.faces) {
+    reject_argument(
+        "a search keeps the number of halfspaces, which a growth limit leaves open: give the "
+        "number of faces as well");
+  }
+  if (request.record && request.search.kind != SearchKind::Optimal) {
+    reject_argument(
+        "a proof is about the removals of a run, and this search ends elsewhere: leave out one of "
+        "them, or search for the optimum");
+  }
+}
+
+RunEnd search_further(RunEnd end, const RunInput& input, const SimplifyRequest& request,
+                      StageLog& log) {
+  const DualHull& dual = input.solid->dual;
+  const HalfspaceIds start = left_by(end, dual.halfspaces.size());
+  const SearchOptions options = search_options(request, input);
+  SearchRun found = log.run(stage_of(request.search), [&] {
+    const auto search =
+        request.search.kind == SearchKind::Optimal ? search_optimal_from : search_from;
     return search(dual, input.dual ? &*input.dual : nullptr, input.solid->polytope, input.center,
                   end.triangles, options);
   });
   end.search = log.run("search result", [&] {
-    // (2) Each solid, if that is asked for, and the last one.
-    const SolidsOfMoves solids(dual, input.center, std::move(start), found.moves);
-    const std::size_t count = found.moves.size();
-    const bool wants_each = request.trace || request.verify == VerifyLevel::Full;
-    Polytope before = end.polytope;
-    for (std::size_t k = wants_each || count == 0 ? 1 : count; k <= count; ++k) {
-      Polytope after = solids.after(k);
-      if (request.verify != VerifyLevel::None) require_smaller(after, before, request);
-      if (request.trace) found.moves[k - 1].measure = exact_measure(after, request.cost);
-      before = std::move(after);
-    }
-    // (3) What was achieved.
-    const auto measured = [&](const Polytope& polytope) {
-      return enclose_measure(polytope, request.cost, kMeasureBits);
-    };
-    SearchResult result{request.search, found.tried, found.moves, measured(end.polytope),
-                        measured(before)};
-    result.optimality = found.optimality;
-    const auto measured_after = [&](std::size_t k) {
-      return k == 0 ? result.greedy : k == count ? result.now : measured(solids.after(k));
-    };
-    if (const auto best = best_of(found.changes)) {
-      result.best.emplace(
-          SearchResult::Best{*best, measured_after(*best), measured_after(*best + 1)});
-    }
-    end.polytope = std::move(before);
+    const SolidsOfMoves solids(dual, input.center, start, found.moves);
+    Polytope last = follow(found.moves, solids, end.polytope, request);
+    SearchResult result = measure_search(found, solids, end.polytope, last, request);
+    end.polytope = std::move(last);
     return result;
   });
-  if (!end.run) return;
-  end.run->is_least = found.optimality && found.optimality->is_proven;
-  end.run->moves = std::move(found.moves);
+  if (end.run) {
+    end.run->is_least = found.optimality && found.optimality->is_proven;
+    end.run->moves = std::move(found.moves);
+  }
+  return end;
 }
 
 }  // namespace convexact

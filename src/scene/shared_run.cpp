@@ -54,7 +54,7 @@ class SharedGrowth {
       limit_ = sum_of(before);
       *limit_ *= Rational(1 + *options_.max_growth);
     }
-    const Ordering ordering = compare(sum_of(now), *limit_, options_.compare, Watch(options_.stop));
+    const Ordering ordering = compare(sum_of(now), *limit_, options_.compare, options_.watch);
     undecided_bits_ = ordering.order == Order::Undecided ? ordering.bits : 0;
     return ordering.order == Order::Less || ordering.order == Order::Equal;
   }
@@ -139,7 +139,7 @@ Ordering SharedQueue::compared(std::size_t part, std::size_t least) {
   }
   const Ordering ordering =
       compare(parts_[part]->exact()->exact_cost(), parts_[least]->exact()->exact_cost(),
-              options_.compare, Watch(options_.stop));
+              options_.compare, options_.watch);
   if (ordering.order == Order::Equal) {
     class_[part] = {class_[least].number, {ordering.tie_proof, ordering.bits}};
   }
@@ -175,13 +175,13 @@ SharedEnd run_shared(std::span<const std::unique_ptr<PartRun>> parts,
   SharedEnd end;
   SharedGrowth growth(parts, options);
   SharedQueue queue(parts, options);
-  const Watch watch(options.stop);
   std::size_t left = 0;
   for (const auto& part : parts) left += part->left();
+  const std::size_t at_start = left;
   const auto make = [&](PartRun& part) {
     part.make();
     --left;
-    if (options.progress) options.progress(left);
+    options.watch.report(at_start - left, at_start - options.total_faces);
   };
   // (1) The others keep 4 each, so no part ends with more than the rest. Each part is reduced to
   // that number first, since it must make these removals in any case and its data are in the cache.
@@ -198,7 +198,7 @@ SharedEnd run_shared(std::span<const std::unique_ptr<PartRun>> parts,
     queue.find_next(part);
   }
   while (left > options.total_faces) {
-    watch.ask();
+    options.watch.ask();
     if (queue.empty()) {
       end.stop = options.when_stuck;
       break;

@@ -73,8 +73,7 @@ struct SharedOptions {
   std::optional<Enclosure> measure = {};
   bool costs_never_fall = false;  ///< Of one part, as those by volume.
   StopReason when_stuck = StopReason::AllUnbounded;
-  std::function<void(std::size_t left)> progress = {};
-  const std::atomic<bool>* stop = nullptr;
+  Watch watch = {};  ///< Told after each removal of those made and of those that lead there.
 };
 
 /// How a shared run went.

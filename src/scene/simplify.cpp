@@ -12,12 +12,7 @@ namespace convexact {
 namespace {
 
 RunEnd make_run(const RunInput& input, const SimplifyRequest& request, StageLog& log) {
-  SimplifyOptions options = options_of(request, input);
-  if (request.watch.progress) {
-    options.progress = [&, at_start = input.halfspaces()](std::size_t left) {
-      request.watch.progress(stage::kSimplify, at_start - left, at_start - options.faces);
-    };
-  }
+  const SimplifyOptions options = options_of(request, input);
   if (!input.dual) {
     Run run = log.run(stage::kSimplify, [&] {
       const DualHull& dual = input.solid->dual;
@@ -42,7 +37,9 @@ SimplifyOutcome simplify(const Shape& shape, const SimplifyRequest& request) {
   if (const auto* reason = std::get_if<NotSolid>(&prepared)) return *reason;
   RunInput& input = *std::get<std::unique_ptr<RunInput>>(prepared);
   RunEnd end = make_run(input, request, log);
-  if (request.search.kind != SearchKind::None) search_further(end, input, request, log);
+  if (request.search.kind != SearchKind::None) {
+    end = search_further(std::move(end), input, request, log);
+  }
   InputMeasures before = measure_input(input, request, log);
   SimplifyResult result = finish_run(input, std::move(before), std::move(end), request, log);
   if (result.float_bound && request.max_growth) {

@@ -25,17 +25,12 @@ void require_sensible(const InnerRequest& request) {
   }
 }
 
-InnerOptions options_of(const InnerRequest& request, std::size_t at_start) {
+InnerOptions options_of(const InnerRequest& request) {
   InnerOptions options;
   options.vertices = request.vertices.value_or(4);
   options.max_loss = request.max_loss;
   options.seed = request.seed;
-  options.stop = request.watch.stop;
-  if (request.watch.progress) {
-    options.progress = [&request, at_start, last = options.vertices](std::size_t left) {
-      request.watch.progress(stage::kSimplify, at_start - left, at_start - last);
-    };
-  }
+  options.watch = request.watch.of(stage::kSimplify);
   return options;
 }
 
@@ -48,7 +43,7 @@ void require_inner(bool holds, const char* claim) {
 // A separate hull of the points that are left, which describes the result independently of the run.
 Hull hull_of_result(const PointSet& vertices, const InnerRequest& request) {
   HullOutcome outcome =
-      convex_hull(vertices, HullOptions{.seed = request.seed, .stop = request.watch.stop});
+      convex_hull(vertices, HullOptions{.seed = request.seed, .watch = request.watch.stop});
   require_inner(std::holds_alternative<Hull>(outcome), "it has a volume");
   Hull& hull = std::get<Hull>(outcome);
   require_inner(hull.vertices.size() == vertices.size(), "each of its points is a vertex");
@@ -127,7 +122,7 @@ InnerOutcome simplify_inner(const PointSet& points, const InnerRequest& request)
   result.input_halfspaces = result.hull.size();
   result.start = log.run("triangles", [&] { return vertex_hull(hull, points); });
   result.run = log.run(stage::kSimplify, [&] {
-    const InnerOptions options = options_of(request, result.start.points.size());
+    const InnerOptions options = options_of(request);
     return request.engine == Engine::Exact ? simplify_inner_exact(result.start, options)
                                            : simplify_inner_filtered(result.start, options);
   });

@@ -11,26 +11,22 @@
 namespace convexact {
 namespace {
 
-[[noreturn]] void refuse(const std::string& message) {
-  throw Error(ErrorCode::InvalidArgument, message);
-}
-
 void require_sensible_scene(std::size_t parts, const SceneRequest& request) {
-  if (parts == 0) refuse("a scene needs a part");
+  if (parts == 0) reject_argument("a scene needs a part");
   if (request.each.faces || request.each.center || !request.each.keep.empty()) {
-    refuse("the parts of a scene have no faces, center or kept facets in common");
+    reject_argument("the parts of a scene have no faces, center or kept facets in common");
   }
   if (request.each.search.kind != SearchKind::None) {
-    refuse(
+    reject_argument(
         "a scene distributes its halfspaces by removals; a search is for a run with faces of its "
         "own");
   }
   if (!request.keep.empty() && request.keep.size() != parts) {
-    refuse("kept facets are not given for each part");
+    reject_argument("kept facets are not given for each part");
   }
   if (request.total_faces / 4 < parts) {
-    refuse(fmt::format("{} parts need at least {} faces, 4 for each; {} are too few", parts,
-                       4 * parts, request.total_faces));
+    reject_argument(fmt::format("{} parts need at least {} faces, 4 for each; {} are too few",
+                                parts, 4 * parts, request.total_faces));
   }
 }
 
@@ -62,14 +58,13 @@ std::variant<std::vector<PreparedPart>, NotSolidPart> prepare_parts(std::span<co
   return parts;
 }
 
-SharedOptions options_of(const SceneRequest& request, const std::vector<PreparedPart>& parts,
-                         std::size_t halfspaces) {
+SharedOptions options_of(const SceneRequest& request, const std::vector<PreparedPart>& parts) {
   const SimplifyRequest& each = request.each;
   SharedOptions options{.total_faces = request.total_faces,
                         .compare = each.compare,
                         .max_growth = each.max_growth,
                         .costs_never_fall = each.cost == CostMeasure::Volume,
-                        .stop = each.watch.stop};
+                        .watch = each.watch.of(stage::kSimplify)};
   if (each.max_growth) {
     options.measure = Enclosure(kMeasureBits);
     for (const PreparedPart& part : parts) {
@@ -80,11 +75,6 @@ SharedOptions options_of(const SceneRequest& request, const std::vector<Prepared
     return !part.input->keep.empty();
   });
   if (keeps_any) options.when_stuck = StopReason::AllKeptOrUnbounded;
-  if (each.watch.progress) {
-    options.progress = [&each, halfspaces, total = request.total_faces](std::size_t left) {
-      each.watch.progress(stage::kSimplify, halfspaces - left, halfspaces - total);
-    };
-  }
   return options;
 }
 
@@ -157,14 +147,11 @@ SceneOutcome simplify_scene(std::span<const Shape> shapes, const SceneRequest& r
   SceneResult scene;
   std::vector<std::unique_ptr<PartRun>> runs;
   std::vector<ScenePartRun*> ends;
-  std::size_t halfspaces = 0;
   std::size_t kept = 0;
-  for (const PreparedPart& part : parts) {
-    halfspaces += part.input->halfspaces();
-    kept += part.input->keep.size();
-  }
+  for (const PreparedPart& part : parts) kept += part.input->keep.size();
   if (kept > request.total_faces) {
-    refuse(fmt::format("{} faces are to be kept, but only {} in all", kept, request.total_faces));
+    reject_argument(
+        fmt::format("{} faces are to be kept, but only {} in all", kept, request.total_faces));
   }
   SharedEnd end = log.run(stage::kSimplify, [&] {
     for (const PreparedPart& part : parts) {
@@ -172,7 +159,7 @@ SceneOutcome simplify_scene(std::span<const Shape> shapes, const SceneRequest& r
       ends.push_back(run.get());
       runs.push_back(std::move(run));
     }
-    return run_shared(runs, options_of(request, parts, halfspaces));
+    return run_shared(runs, options_of(request, parts));
   });
   for (std::size_t k = 0; k < parts.size(); ++k) {
     PreparedPart& part = parts[k];

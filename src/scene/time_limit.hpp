@@ -34,16 +34,16 @@ class TimeLimit {
 /// "no verdict within the time limit of 2 s". @param sought  "verdict".
 [[nodiscard]] Error beyond_time_limit(const char* sought, double seconds);
 
-/// The result of `find`, which is given the flag that stops it.
+/// The result of `find`, which is given the watch that stops it.
 /// @param interrupt  Another flag that stops it; null for none.
 /// @throws Error Stopped, beyond_time_limit() if that is why, and what `find` throws.
 template <class Find>
 auto in_time(std::optional<double> seconds, const char* sought, const Find& find,
              const std::atomic<bool>* interrupt = nullptr) {
-  if (!seconds) return find(interrupt);
+  if (!seconds) return find(StageWatch{.stop = interrupt});
   const TimeLimit limit(seconds, interrupt);
   try {
-    return find(&limit.is_over());
+    return find(StageWatch{.stop = &limit.is_over()});
   } catch (const Error& error) {
     const bool is_interrupted = interrupt != nullptr && interrupt->load();
     if (error.code() != ErrorCode::Stopped || is_interrupted) throw;

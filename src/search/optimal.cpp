@@ -115,7 +115,7 @@ BranchAndBound::BranchAndBound(std::unique_ptr<ShrunkSurface> surface, std::size
                                std::vector<Symmetry> symmetries, HalfspaceIds incumbent,
                                const SearchOptions& options)
     : options_(options),
-      watch_(options.stop),
+      watch_(options.watch),
       surface_(std::move(surface)),
       input_volume_(surface_->volume()),
       symmetries_(std::move(symmetries)),

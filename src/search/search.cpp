@@ -118,7 +118,7 @@ class ExchangeSearch {
 ExchangeSearch::ExchangeSearch(std::unique_ptr<ExchangeSurface> surface, const Polytope& input,
                                HalfspaceIds start, const SearchOptions& options)
     : options_(options),
-      watch_(options.stop),
+      watch_(options.watch),
       neighbours_(neighbours_of(input)),
       surface_(std::move(surface)),
       zero_(zero_of(options.cost)),
@@ -267,7 +267,7 @@ SearchRun ExchangeSearch::run() {
       if (options_.is_told_to_settle()) break;
       watch_.ask();
       kick();
-      if (options_.progress) options_.progress(made);
+      watch_.report(made, options_.request.kicks);
     }
   }
   return std::move(run_);

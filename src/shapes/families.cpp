@@ -174,10 +174,6 @@ std::vector<Family> make_families() {
   return list;
 }
 
-[[noreturn]] void reject(const std::string& message) {
-  throw Error(ErrorCode::InvalidArgument, message);
-}
-
 }  // namespace
 
 std::span<const Family> families() {
@@ -189,7 +185,8 @@ const Family& family(std::string_view name) {
   const auto all = families();
   const auto found =
       std::find_if(all.begin(), all.end(), [&](const Family& f) { return f.name == name; });
-  if (found == all.end()) reject("there is no family of shapes called '" + std::string(name) + "'");
+  if (found == all.end())
+    reject_argument("there is no family of shapes called '" + std::string(name) + "'");
   return *found;
 }
 
@@ -256,15 +253,15 @@ std::vector<Point> generate(const Family& family, std::span<const double> values
                             std::uint64_t seed) {
   const std::string name(family.name);
   if (values.size() != family.parameters.size()) {
-    reject(name + " takes " + std::to_string(family.parameters.size()) + " parameters");
+    reject_argument(name + " takes " + std::to_string(family.parameters.size()) + " parameters");
   }
   for (std::size_t i = 0; i < values.size(); ++i) {
     const Parameter& p = family.parameters[i];
     const bool inside = values[i] >= p.least && values[i] <= p.most;  // false for NaN
     if (!inside || (p.whole && values[i] != std::floor(values[i]))) {
-      reject(fmt::format("{}: {} is {}{} to {}, not {}", name, p.name,
-                         p.whole ? "an integer from " : "a number from ", p.least, p.most,
-                         values[i]));
+      reject_argument(fmt::format("{}: {} is {}{} to {}, not {}", name, p.name,
+                                  p.whole ? "an integer from " : "a number from ", p.least, p.most,
+                                  values[i]));
     }
   }
   return family.make(values, seed);

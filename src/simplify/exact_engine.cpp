@@ -10,13 +10,7 @@
 #include "simplify/growth_limit.hpp"
 
 namespace convexact {
-namespace {
-
-void stop_if_asked(const std::atomic<bool>* stop) {
-  if (stop != nullptr && *stop) throw Error(ErrorCode::Stopped, "interrupted");
-}
-
-}  // namespace
+namespace {}  // namespace
 
 // The greedy loop. It is eager: `removals_` and `queue_` are right for every halfspace at any time.
 class ExactEngine {
@@ -74,7 +68,7 @@ class ExactEngine {
 
 void ExactEngine::evaluate_all() {
   for (std::size_t i = 0; i < removals_.size(); ++i) {
-    stop_if_asked(options_.stop);
+    options_.watch.ask();
     evaluate(HalfspaceId(i));
   }
 }
@@ -121,7 +115,7 @@ std::vector<HalfspaceId> ExactEngine::candidates() const {
 Step ExactEngine::cheapest() const {
   const std::vector<HalfspaceId> ids = candidates();
   const auto compared = [&](HalfspaceId i, HalfspaceId j) {
-    return compare(cost(i), cost(j), options_.compare, Watch(options_.stop));
+    return compare(cost(i), cost(j), options_.compare, options_.watch);
   };
   HalfspaceId least = ids.front();
   for (const HalfspaceId i : ids) {
@@ -188,7 +182,7 @@ std::size_t ExactRun::left() const { return state_->engine.left(); }
 
 const Step* ExactRun::next() {
   State& state = *state_;
-  stop_if_asked(state.options.stop);
+  state.options.watch.ask();
   if (!state.is_evaluated) state.engine.evaluate_all();
   state.is_evaluated = true;
   if (!state.next && !state.engine.every_removal_is_unbounded()) {
@@ -231,6 +225,7 @@ Run simplify_exact(const DualHull& dual, const RationalPoint& center,
   if (options.max_growth) {
     growth.emplace(to_polytope(dual.halfspaces, dual.triangles), options);
   }
+  const std::size_t at_start = run.left();
   StopReason stop = StopReason::Reached;
   while (run.left() > options.faces) {
     if (run.next() == nullptr) {
@@ -242,7 +237,7 @@ Run simplify_exact(const DualHull& dual, const RationalPoint& center,
       break;
     }
     run.make();
-    if (options.progress) options.progress(run.left());
+    options.watch.report(at_start - run.left(), at_start - options.faces);
   }
   Run record = run.finish(stop);
   if (stop == StopReason::GrowthLimit) record.growth_bits = growth->undecided_bits();

@@ -26,7 +26,7 @@ class RunObserver : public RingObserver, public CheckObserver {
 /// @param dual    The dual hull of the input.
 /// @param center  Strictly inside the solid. Costs and ties do not depend on it.
 /// @throws Error  InvalidArgument if options.faces < 4, options.max_growth < 0, or the center is
-///                not strictly inside; Stopped if `stop` becomes true; Internal if a verification
+///                not strictly inside; Stopped if the watch ends it; Internal if a verification
 ///                fails.
 /// @par Cost      Expected O(k) exact operations per evaluated cap of a ring of k; each step
 ///                evaluates the caps of one ring.

@@ -101,7 +101,6 @@ InnerRun simplify_inner_exact(const VertexHull& hull, const InnerOptions& option
   if (options.max_loss && *options.max_loss < 0) {
     throw Error(ErrorCode::InvalidArgument, "a limit of the loss is not negative");
   }
-  const Watch watch(options.stop);
   ExactInner engine(hull, options.seed);
   const VertexDeterminants& determinants = engine.determinants();
   std::optional<Rational> limit;  // of six times the volume lost
@@ -110,13 +109,14 @@ InnerRun simplify_inner_exact(const VertexHull& hull, const InnerOptions& option
   }
   Integer lost = 0;
   InnerRun run;
-  std::size_t left = hull.points.size();
-  for (std::size_t v = 0; v < hull.points.size() && left > options.vertices; ++v) {
-    watch.ask();
+  const std::size_t at_start = hull.points.size();
+  std::size_t left = at_start;
+  for (std::size_t v = 0; v < at_start && left > options.vertices; ++v) {
+    options.watch.ask();
     engine.evaluate(VertexId(v));
   }
   while (left > options.vertices) {
-    watch.ask();
+    options.watch.ask();
     std::vector<VertexId> tie = engine.cheapest();
     const VertexId v = tie.front();
     const Loss& loss = engine.loss(v);
@@ -132,7 +132,7 @@ InnerRun simplify_inner_exact(const VertexHull& hull, const InnerOptions& option
                          .triangles = loss.triangles,
                          .left = --left});
     engine.remove(v);
-    if (options.progress) options.progress(left);
+    options.watch.report(at_start - left, at_start - options.vertices);
   }
   run.triangles = engine.triangles();
   return run;

@@ -28,7 +28,7 @@ bool GrowthLimit::allows_exactly(const Cost& cost) {
   std::vector<Cost> costs = costs_;
   costs.push_back(cost);
   const Ordering ordering =
-      compare(sum_of(costs), *exact_allowance_, options_.compare, Watch(options_.stop));
+      compare(sum_of(costs), *exact_allowance_, options_.compare, options_.watch);
   undecided_bits_ = ordering.order == Order::Undecided ? ordering.bits : 0;
   return ordering.order == Order::Less || ordering.order == Order::Equal;
 }

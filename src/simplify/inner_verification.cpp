@@ -148,9 +148,8 @@ void InnerVerification::check_end(const InnerRun& run) const {
 }  // namespace
 
 void verify_inner_run(const VertexHull& hull, const InnerRun& run, VerifyLevel level,
-                      const std::atomic<bool>* stop) {
+                      const Watch& watch) {
   if (level == VerifyLevel::None) return;
-  const Watch watch(stop);
   InnerVerification verification(hull, level);
   for (const Step& step : run.steps) {
     watch.ask();

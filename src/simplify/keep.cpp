@@ -16,10 +16,8 @@
 namespace convexact {
 namespace {
 
-[[noreturn]] void refuse(const std::string& why) { throw Error(ErrorCode::InvalidArgument, why); }
-
 IntegerVector3 direction_of(const RationalVector3& v) {
-  if (v == RationalVector3::Zero()) refuse("the vector is zero, and has no direction");
+  if (v == RationalVector3::Zero()) reject_argument("the vector is zero, and has no direction");
   return clear_denominators(v).n;
 }
 
@@ -71,8 +69,8 @@ class Selection {
   void select(const KeepIds& wanted) {
     for (const HalfspaceId id : wanted.ids) {
       if (id.index() >= halfspaces_.size()) {
-        refuse(fmt::format("there is no facet {}: expected ids below {}", id.index(),
-                           halfspaces_.size()));
+        reject_argument(fmt::format("there is no facet {}: expected ids below {}", id.index(),
+                                    halfspaces_.size()));
       }
     }
     ids_ = wanted.ids;
@@ -88,7 +86,7 @@ class Selection {
     const IntegerVector3 u = direction_of(wanted.direction);
     if (!wanted.degrees) return select_nearest(u);
     if (!(*wanted.degrees >= 0 && *wanted.degrees <= 180)) {
-      refuse(fmt::format("expected 0 to 180 degrees, found {}", *wanted.degrees));
+      reject_argument(fmt::format("expected 0 to 180 degrees, found {}", *wanted.degrees));
     }
     const Rational least = signed_square(cosine_of(*wanted.degrees), Rational(1));
     select_if([&](const Halfspace& h) { return signed_square_of_cosine(h.normal(), u) >= least; });
@@ -108,7 +106,7 @@ class Selection {
     double largest = 1;
     for (const auto& polygon : wanted.polygons) {
       for (const std::uint32_t corner : polygon) {
-        if (corner >= points_.size()) refuse(fmt::format("there is no point {}", corner));
+        if (corner >= points_.size()) reject_argument(fmt::format("there is no point {}", corner));
         largest = std::max(largest, points_.doubles()[corner].cwiseAbs().maxCoeff());
       }
     }
@@ -154,16 +152,16 @@ std::vector<HalfspaceId> select_facets(std::span<const Halfspace> halfspaces,
     std::vector<HalfspaceId> ids;
     try {
       ids = Selection(halfspaces, points).of(selector);
-      if (ids.empty()) refuse("it matches no facet of the input's hull");
+      if (ids.empty()) reject_argument("it matches no facet of the input's hull");
     } catch (const Error& error) {
-      refuse(selector.text + ": " + error.what());
+      reject_argument(selector.text + ": " + error.what());
     }
     all.insert(all.end(), ids.begin(), ids.end());
   }
   std::sort(all.begin(), all.end());
   all.erase(std::unique(all.begin(), all.end()), all.end());
   if (most && all.size() > *most) {
-    refuse(fmt::format(
+    reject_argument(fmt::format(
         "{} facets are to be kept, more than the {} halfspaces of the result: ask for more of "
         "these, or keep fewer",
         all.size(), *most));

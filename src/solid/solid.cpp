@@ -94,7 +94,7 @@ std::variant<Hull, NotSolid> make_hull(const PointSet& points, std::uint64_t see
                                        StageLog& log, HullObserver* observer) {
   HullOutcome outcome = log.run(stage::kHull, [&] {
     return convex_hull(points,
-                       HullOptions{.seed = seed, .stop = log.watch().stop, .observer = observer});
+                       HullOptions{.seed = seed, .watch = log.watch().stop, .observer = observer});
   });
   if (const auto* flat = std::get_if<FlatInput>(&outcome)) {
     require_proven(check_flat(*flat, points), "every point lies on these planes");
@@ -141,6 +141,27 @@ RationalPoint interior_point_of(const Solid& solid) {
   const auto center = short_dyadic_interior_point(solid.dual.halfspaces, mean);
   if (!center) throw Error(ErrorCode::Internal, "the mean of the vertices is not inside");
   return *center;
+}
+
+RationalPoint given_center(const RationalPoint& center, std::span<const Halfspace> halfspaces,
+                           StageLog& log) {
+  log.skip("Chebyshev center", "the caller gave a center");
+  if (!is_strictly_inside(halfspaces, center)) {
+    throw Error(ErrorCode::InvalidArgument, "the center is not strictly inside the input's hull");
+  }
+  return center;
+}
+
+ChebyshevCenter certified_center(std::span<const Halfspace> halfspaces, const LpOptions& options,
+                                 StageLog& log) {
+  return log.run("Chebyshev center", [&] {
+    const auto outcome = chebyshev_center(halfspaces, options);
+    const auto* center = std::get_if<ChebyshevCenter>(&outcome);
+    if (center == nullptr || !check(halfspaces, *center)) {
+      throw Error(ErrorCode::Internal, "the certificate fails: a largest ball in the hull");
+    }
+    return *center;
+  });
 }
 
 std::vector<std::array<double, 4>> Stored::planes_in_doubles() const {

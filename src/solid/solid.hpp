@@ -8,6 +8,7 @@
 
 #include "convexact/dual.hpp"
 #include "convexact/hull.hpp"
+#include "convexact/linear_program.hpp"
 #include "convexact/scene.hpp"
 #include "solid/stage_log.hpp"
 
@@ -54,6 +55,15 @@ using SolidOutcome = std::variant<Solid, NotSolid>;
 /// A point strictly inside, for callers that need no deeper one: the one that is set, or the mean
 /// of the solid's vertices on a short grid.
 [[nodiscard]] RationalPoint interior_point_of(const Solid& solid);
+
+/// The center that a caller gives. @throws Error InvalidArgument unless it is strictly inside.
+[[nodiscard]] RationalPoint given_center(const RationalPoint& center,
+                                         std::span<const Halfspace> halfspaces, StageLog& log);
+
+/// The center of a ball that is nearly the largest one inside, with its certificate.
+/// @throws Error Internal if the certificate fails.
+[[nodiscard]] ChebyshevCenter certified_center(std::span<const Halfspace> halfspaces,
+                                               const LpOptions& options, StageLog& log);
 
 /// Rounds outward to each format asked for, and proves it. @param extreme  Of `points`: those whose
 /// hull holds the rest.

@@ -47,12 +47,7 @@ class StageLog {
   const std::vector<Stage>& stages() const { return stages_; }
   const StageWatch& watch() const { return watch_; }
   /// For the loops of one stage.
-  Watch watch(const std::string& stage) const {
-    if (!watch_.progress) return Watch(watch_.stop);
-    return Watch(watch_.stop, [this, stage](std::size_t done, std::size_t total) {
-      watch_.progress(stage, done, total);
-    });
-  }
+  Watch watch(const std::string& stage) const { return watch_.of(stage); }
 
  private:
   // Adds the time between its making and its end to a stage, also when the work throws.

@@ -61,9 +61,9 @@ class OutsideSearch {
     for (const Halfspace& h : halfspaces) filters_.emplace_back(h);
   }
 
-  std::vector<PointId> find(const std::atomic<bool>* stop) {
+  std::vector<PointId> find(const Watch& watch) {
     for (std::size_t first = 0; first < points_.size(); first += kBlock) {
-      if (stop != nullptr && *stop) throw Error(ErrorCode::Stopped, "interrupted");
+      watch.ask();
       search_block(first, std::min(points_.size(), first + kBlock));
     }
     std::sort(found_.begin(), found_.end());
@@ -155,8 +155,8 @@ class OutsideSearch {
 }  // namespace
 
 std::vector<PointId> find_outside(std::span<const Halfspace> halfspaces, const PointSet& points,
-                                  const std::atomic<bool>* stop) {
-  return OutsideSearch(halfspaces, points).find(stop);
+                                  const Watch& watch) {
+  return OutsideSearch(halfspaces, points).find(watch);
 }
 
 std::size_t count_outside(std::span<const Halfspace> halfspaces, const PointSet& points) {

@@ -8,10 +8,10 @@
 #include <string>
 #include <vector>
 
-#include "convexact/hull.hpp"
-#include "convexact/linear_program.hpp"
 #include "convexact/stored.hpp"
+#include "hull/hull_observer.hpp"
 #include "io/json_document.hpp"
+#include "lp/lp_observer.hpp"
 #include "simplify/exact_engine.hpp"
 #include "solid/solid.hpp"
 #include "teach/frame.hpp"

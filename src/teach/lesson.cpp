@@ -8,7 +8,6 @@
 
 #include "convexact/error.hpp"
 #include "io/json.hpp"
-#include "lp/interior_point.hpp"
 #include "simplify/run_names.hpp"
 #include "solid/stage_log.hpp"
 #include "teach/chapters.hpp"
@@ -99,24 +98,14 @@ Json input_json(const Solid& solid, const Subject& subject, const LessonFrame& f
 RationalPoint find_center(const DualHull& dual, const Subject& subject, Json& chapter) {
   const LessonRequest& request = subject.request;
   if (request.center) {
-    if (!is_strictly_inside(dual.halfspaces, *request.center)) {
-      throw Error(ErrorCode::InvalidArgument, "the center is not strictly inside the input's hull");
-    }
     subject.left_out.add("center", "the center was given, so none was computed");
-    subject.log.skip("Chebyshev center", "the caller gave a center");
-    return *request.center;
+    return given_center(*request.center, dual.halfspaces, subject.log);
   }
-  return subject.log.run("Chebyshev center", [&] {
-    CenterRecorder recorder(dual.halfspaces);
-    const auto outcome =
-        chebyshev_center(dual.halfspaces, LpOptions{.seed = request.seed, .observer = &recorder});
-    const auto* center = std::get_if<ChebyshevCenter>(&outcome);
-    if (center == nullptr || !check(dual.halfspaces, *center)) {
-      throw Error(ErrorCode::Internal, "the certificate fails: a largest ball in the hull");
-    }
-    chapter = recorder.take(*center);
-    return center->center;
-  });
+  CenterRecorder recorder(dual.halfspaces);
+  const ChebyshevCenter center =
+      certified_center(dual.halfspaces, {.seed = request.seed, .observer = &recorder}, subject.log);
+  chapter = recorder.take(center);
+  return center.center;
 }
 
 Json halfspaces_json(const DualHull& dual, const LessonFrame& frame) {
@@ -172,19 +161,13 @@ std::optional<Run> watched_run(const DualHull& dual, RemovalRecorder& recorder,
   options.faces = request.faces;
   options.cost = request.cost;
   options.seed = request.seed;
-  options.stop = request.watch.stop;
+  options.watch = request.watch.of(stage::kSimplify);
   options.verify = count <= kMostFullyVerified ? VerifyLevel::Full : VerifyLevel::Local;
   if (options.verify == VerifyLevel::Local) {
     subject.left_out.add("verification",
                          fmt::format("with {} halfspaces each step is verified separately; the "
                                      "whole dual is verified up to {}",
                                      count, kMostFullyVerified));
-  }
-  if (request.watch.progress) {
-    options.progress = [&, count](std::size_t left) {
-      request.watch.progress(stage::kSimplify, count - left,
-                             count - std::min(count, request.faces));
-    };
   }
   std::optional<Run> run;
   try {

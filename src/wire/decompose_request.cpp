@@ -77,17 +77,16 @@ std::string decompose_answer(const json& request, std::optional<double> time_lim
   if (tree_faces && !wanted.for_tree) reject_request("tree_faces with tree only");
   Mesh mesh{points_of_request(request, decimal_of(request)), {}, {}};
   mesh.polygons = polygons_of_json(request["triangles"], mesh.points.size());
-  return in_time(time_limit_of(request, time_limit), "parts",
-                 [&](const std::atomic<bool>* stop) -> std::string {
-                   wanted.watch.stop = stop;
-                   wanted = with_method(mesh, std::move(wanted));
-                   DecomposeOutcome outcome = decompose(mesh, wanted);
-                   if (const auto* reason = std::get_if<NotSolid>(&outcome)) {
-                     return write_json(not_solid_answer(*reason));
-                   }
-                   return answer_of(std::get<Decomposition>(std::move(outcome)), wanted,
-                                    tree_faces);
-                 });
+  return in_time(
+      time_limit_of(request, time_limit), "parts", [&](const StageWatch& watch) -> std::string {
+        wanted.watch = watch;
+        wanted = with_method(mesh, std::move(wanted));
+        DecomposeOutcome outcome = decompose(mesh, wanted);
+        if (const auto* reason = std::get_if<NotSolid>(&outcome)) {
+          return write_json(not_solid_answer(*reason));
+        }
+        return answer_of(std::get<Decomposition>(std::move(outcome)), wanted, tree_faces);
+      });
 }
 
 }  // namespace

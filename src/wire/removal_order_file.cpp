@@ -10,7 +10,7 @@
 #include "io/json_text.hpp"
 #include "io/text_cursor.hpp"
 #include "number/text.hpp"
-#include "oracle/facet_match.hpp"
+#include "oracle/order/facet_match.hpp"
 #include "simplify/cost_reader.hpp"
 #include "simplify/run_names.hpp"
 #include "wire/trace_json.hpp"

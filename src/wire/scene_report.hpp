@@ -4,7 +4,7 @@
 #include <string>
 
 #include "io/json_document.hpp"
-#include "oracle/scene_verdict.hpp"
+#include "oracle/parts/scene_verdict.hpp"
 
 namespace convexact {
 

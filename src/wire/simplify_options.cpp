@@ -115,10 +115,6 @@ bool is_usual(const FieldInfo& info, const std::string& text) {
   });
 }
 
-[[noreturn]] void refuse_options(const std::string& why) {
-  throw Error(ErrorCode::InvalidArgument, why);
-}
-
 }  // namespace
 
 const Fields<SimplifyRequest>& simplify_fields() {
@@ -136,14 +132,15 @@ SimplifyRequest simplify_request(const GivenFields& given) {
   given.apply_to(request, simplify_fields());
   const SearchKind search = request.search.kind;
   if (given.has("moves") && search != SearchKind::Local && search != SearchKind::Optimal) {
-    refuse_options(
+    reject_argument(
         "--moves counts the kicks of a local search: give --search local or optimal as well");
   }
   if (given.has("nodes") && search != SearchKind::Optimal) {
-    refuse_options("--nodes limits the search for the least volume: give --search optimal as well");
+    reject_argument(
+        "--nodes limits the search for the least volume: give --search optimal as well");
   }
   if (given.has("growth_of") && !request.max_growth) {
-    refuse_options("--growth-of says what --max-growth limits: give --max-growth as well");
+    reject_argument("--growth-of says what --max-growth limits: give --max-growth as well");
   }
   return request;
 }
@@ -154,15 +151,15 @@ InnerRequest inner_request(const GivenFields& given) {
         std::any_of(inner_fields().begin(), inner_fields().end(),
                     [&, known = info](const auto& field) { return field.name == known->name; });
     if (is_known || is_usual(*info, text)) continue;
-    refuse_options(option_of(*info) + " does not apply to an inner run (--inner)");
+    reject_argument(option_of(*info) + " does not apply to an inner run (--inner)");
   }
   if (given.has("vertices") && given.has("faces")) {
-    refuse_options("--vertices and --faces: give one of them; n vertices have 2 n - 4 triangles");
+    reject_argument("--vertices and --faces: give one of them; n vertices have 2 n - 4 triangles");
   }
   InnerRequest request;
   given.apply_to(request, inner_fields());
   if (request.engine == Engine::Float) {
-    refuse_options("--engine float: an inner run has the engines exact and filtered");
+    reject_argument("--engine float: an inner run has the engines exact and filtered");
   }
   return request;
 }
@@ -174,7 +171,7 @@ Rational parse_share(const std::string& option, const std::string& text) {
     if (share >= 0) return percent ? Rational(share / 100) : share;
   } catch (const Error&) {  // told below
   }
-  refuse_options(option + ": expected a share such as 5% or 0.05, found " + in_quotes(text));
+  reject_argument(option + ": expected a share such as 5% or 0.05, found " + in_quotes(text));
 }
 
 std::optional<RationalPoint> parse_center(const std::string& option, const std::string& text) {
@@ -194,7 +191,7 @@ std::optional<RationalPoint> parse_center(const std::string& option, const std::
     } catch (const Error&) {  // told below
     }
   }
-  refuse_options(option + ": expected chebyshev or three numbers X,Y,Z, found '" + text + "'");
+  reject_argument(option + ": expected chebyshev or three numbers X,Y,Z, found '" + text + "'");
 }
 
 }  // namespace convexact

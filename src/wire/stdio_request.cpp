@@ -115,8 +115,8 @@ Json answer_about_parts(const json& request, PointSet points, Decimal decimal,
     input.polygons = polygons_of_json(request["triangles"], input.points.size());
   }
   const CandidateParts parts = candidate_parts(request["candidate"], decimal);
-  PartsVerdict verdict = in_time(seconds, "verdict", [&](const std::atomic<bool>* stop) {
-    asked.watch.stop = stop;
+  PartsVerdict verdict = in_time(seconds, "verdict", [&](const StageWatch& watch) {
+    asked.watch = watch;
     return verify_parts(input, parts, asked);
   });
   std::erase_if(verdict.claims, [](const Claim& c) { return c.status == Status::NotAsked; });
@@ -151,8 +151,8 @@ Json answer(const json& request, std::optional<double> time_limit) {
     asked.used = used_points(input.size(), polygons_of_json(request["triangles"], input.size()));
   }
   const Candidate judged = candidate(request["candidate"], decimal);
-  VerifyOutcome outcome = in_time(seconds, "verdict", [&](const std::atomic<bool>* stop) {
-    asked.watch.stop = stop;
+  VerifyOutcome outcome = in_time(seconds, "verdict", [&](const StageWatch& watch) {
+    asked.watch = watch;
     return verify(input, judged, asked);
   });
   if (auto* verdict = std::get_if<Verdict>(&outcome)) {

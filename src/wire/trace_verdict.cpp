@@ -10,7 +10,7 @@
 #include "io/json.hpp"
 #include "number/precision.hpp"
 #include "number/text.hpp"
-#include "oracle/facet_match.hpp"
+#include "oracle/order/facet_match.hpp"
 #include "simplify/run_names.hpp"
 #include "wire/tie_report.hpp"
 #include "wire/trace_json.hpp"

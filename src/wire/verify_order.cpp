@@ -48,11 +48,7 @@ std::variant<TraceVerdict, NotSolid> verify_order(const Shape& input, const Orde
   JudgeOptions options = request.judge;
   options.kept =
       select_facets(solid.dual.halfspaces, points != nullptr ? *points : PointSet(), request.keep);
-  options.stop = request.watch.stop;
-  const std::size_t most = solid.dual.halfspaces.size() - 4;
-  options.progress = [&](std::size_t judged) {
-    if (request.watch.progress) request.watch.progress("judging removals", judged, most);
-  };
+  options.watch = request.watch.of("judging removals");
   TraceVerdict verdict = judge(solid, order, options, log);
   verdict.stages = log.stages();
   return verdict;

@@ -9,7 +9,7 @@
 #include "fast/cap.hpp"
 #include "fast/engines.hpp"
 #include "fast/ties.hpp"
-#include "oracle/removal_cost.hpp"
+#include "oracle/order/removal_cost.hpp"
 #include "same_run.hpp"
 #include "shapes/makers.hpp"
 

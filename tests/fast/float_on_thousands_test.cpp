@@ -12,7 +12,7 @@
 #include "fast/cap.hpp"
 #include "fast/engines.hpp"
 #include "hard_inputs.hpp"
-#include "oracle/removal_cost.hpp"
+#include "oracle/order/removal_cost.hpp"
 #include "stored_cases.hpp"
 
 using namespace convexact;

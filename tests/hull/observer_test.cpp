@@ -7,7 +7,7 @@
 #include <set>
 
 #include "convexact/geometry.hpp"
-#include "convexact/hull.hpp"
+#include "hull/hull_observer.hpp"
 #include "shapes/makers.hpp"
 
 using namespace convexact;

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "linear_programs.hpp"
+#include "lp/lp_observer.hpp"
 #include "lp_certificates.hpp"
 
 using namespace convexact;

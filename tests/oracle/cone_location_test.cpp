@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-#include "oracle/second_way.hpp"
+#include "oracle/solid/second_way.hpp"
 #include "shapes/makers.hpp"
 
 using namespace convexact;

@@ -12,7 +12,7 @@
 #include "definitional_verdict.hpp"
 #include "expect_error.hpp"
 #include "number/random.hpp"
-#include "oracle/mesh_surface.hpp"
+#include "oracle/solid/mesh_surface.hpp"
 #include "sweep.hpp"
 
 using namespace convexact;

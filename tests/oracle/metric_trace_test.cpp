@@ -8,7 +8,7 @@
 #include "convexact/measure.hpp"
 #include "expect_error.hpp"
 #include "fast/engines.hpp"
-#include "oracle/removal_cost.hpp"
+#include "oracle/order/removal_cost.hpp"
 #include "removal_orders.hpp"
 #include "shapes/makers.hpp"
 #include "sweep.hpp"
@@ -381,7 +381,7 @@ TEST_CASE("judge trace: an interrupt ends a judgement by every measure") {
   const DualHull solid = cut_box(kDepths);
   const std::atomic<bool> stop{true};
   JudgeOptions options;
-  options.stop = &stop;
+  options.watch = &stop;
   for (const CostMeasure measure : kMetrics) {
     const RemovalOrder order = by(measure, cuts_in_order(solid, kDepths));
     CHECK(error_of([&] { return judge_trace(solid, kCutBoxCenter, order, options); }).code() ==

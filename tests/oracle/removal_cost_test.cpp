@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Costs by definition against closed forms; the rounding that is allowed for against planes that
 // are really off by one rounding.
-#include "oracle/removal_cost.hpp"
+#include "oracle/order/removal_cost.hpp"
 
 #include <doctest/doctest.h>
 

@@ -7,7 +7,7 @@
 
 #include "convexact/verify.hpp"
 #include "expect_error.hpp"
-#include "oracle/second_way.hpp"
+#include "oracle/solid/second_way.hpp"
 #include "polytope_by_definition.hpp"
 #include "shapes/makers.hpp"
 

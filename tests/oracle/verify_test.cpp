@@ -6,8 +6,8 @@
 #include <doctest/doctest.h>
 
 #include "expect_error.hpp"
-#include "oracle/excess.hpp"
-#include "oracle/second_way.hpp"
+#include "oracle/solid/excess.hpp"
+#include "oracle/solid/second_way.hpp"
 #include "polytope_by_definition.hpp"
 #include "shapes/makers.hpp"
 

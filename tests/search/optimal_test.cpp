@@ -172,13 +172,13 @@ TEST_CASE("optimal: it settles for the best so far, or stops without a result") 
   SearchOptions options = optimal();
   options.settle = &now;
   std::size_t kicks = 0;
-  options.progress = [&](std::size_t made) { kicks = made; };
+  options.watch = {nullptr, [&](std::size_t made, std::size_t) { kicks = made; }};
   const SearchRun settled = find_optimum(greedy, options);
   CHECK_FALSE(settled.optimality->is_proven);
   CHECK(kicks == 0);
   options.request.kind = SearchKind::Local;
   CHECK(same_moves(settled, greedy.search(options)));
-  options.stop = &now;
+  options.watch = &now;
   CHECK(error_of([&] { return find_optimum(greedy, options); }).code() == ErrorCode::Stopped);
 }
 

@@ -177,7 +177,7 @@ TEST_CASE("simplify_exact: the longest prefix within the growth") {
 TEST_CASE("simplify_exact: stops when told to") {
   std::atomic<bool> stop = true;
   try {
-    (void)simplify_points(shapes::icosahedron(), {.stop = &stop});
+    (void)simplify_points(shapes::icosahedron(), {.watch = &stop});
     FAIL("went on");
   } catch (const Error& error) {
     CHECK(error.code() == ErrorCode::Stopped);
@@ -185,11 +185,11 @@ TEST_CASE("simplify_exact: stops when told to") {
   // Also in the middle, from the progress report.
   stop = false;
   std::size_t reports = 0;
-  SimplifyOptions options{.stop = &stop};
-  options.progress = [&](std::size_t left) {
-    CHECK(left == 19 - reports);
-    stop = ++reports == 3;
-  };
+  const SimplifyOptions options{.watch = {&stop, [&](std::size_t done, std::size_t total) {
+                                            CHECK(total == 16);  // of the 20, four stay
+                                            stop = ++reports == 3;
+                                            CHECK(done == reports);
+                                          }}};
   CHECK_THROWS_AS((void)simplify_points(shapes::icosahedron(), options), Error);
   CHECK(reports == 3);
 }

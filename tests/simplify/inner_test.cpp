@@ -182,7 +182,7 @@ TEST_CASE("inner run: what is refused") {
     CHECK(error_of([&] { return run({.max_loss = Rational(-1)}); }).code() ==
           ErrorCode::InvalidArgument);
     const std::atomic<bool> stop = true;
-    CHECK(error_of([&] { return run({.stop = &stop}); }).code() == ErrorCode::Stopped);
+    CHECK(error_of([&] { return run({.watch = &stop}); }).code() == ErrorCode::Stopped);
     CHECK(run({.vertices = 8}).steps.empty());
     CHECK(run({.vertices = 100}).steps.empty());
   }

@@ -347,7 +347,7 @@ TEST_CASE("stress: a crash, an exception, a hang and a lack of memory are lines 
 TEST_CASE("stress: an interrupt ends it and its processes") {
   const std::atomic<bool> stop = true;
   StressRequest request;
-  request.stop = &stop;
+  request.watch = &stop;
   CHECK_THROWS_AS((void)stress(one_input(), request), Error);
 }
 

@@ -13,7 +13,8 @@ import sys
 ROOMS = ["error", "number", "geometry", "near", "shapes", "io", "lp", "hull", "dual", "implicit", "measure",
          "simplify", "fast", "search", "stored", "solid",
          "surface", "overlay", "reach", "decompose", "cut",
-         "scene", "parts", "query", "bvh", "proof", "oracle", "conform",
+         "scene", "parts", "query", "bvh", "proof", "oracle/solid", "oracle/parts", "oracle/order",
+         "conform",
          "wire", "pages", "teach", "lab/diff", "lab/report", "lab/compare", "lab/stress",
          "cli", "lab", "capi", "check"]
 # The public headers of each room.
@@ -23,7 +24,8 @@ PUBLIC = {header: room for room, headers in {
     "simplify": "run", "search": "search", "stored": "stored", "solid": "scene",
     "surface": "surface", "overlay": "overlay mass", "reach": "reach", "decompose": "cluster", "cut": "partition",
     "scene": "simplify", "parts": "decompose", "query": "query", "bvh": "hull_tree",
-    "oracle": "verify verify_order verify_parts", "conform": "conform shrink", "wire": "json",
+    "oracle/solid": "verify", "oracle/parts": "verify_parts", "oracle/order": "verify_order",
+    "conform": "conform shrink", "wire": "json",
     "capi": "convexact"}.items()
           for header in headers.split()}
 # What stays apart on purpose, so that a mistake in one cannot hide in the other: (room, room it may
@@ -34,6 +36,13 @@ APART = {
     # The sceptic's checker shares nothing.
     **{("check", room): set() for room in ROOMS if room != "check"},
 }
+# The command line takes options and prints: it sees public headers, the rooms that word things, and of the others
+# what it needs to read objects, to run stages, to start programs and to write numbers.
+WORDING = {"wire", "pages", "teach", "cli"}
+CLI_SEES = {"conform/program.hpp", "conform/program_output.hpp", "hull/hull_steps.hpp", "io/file_kind.hpp", "io/json.hpp",
+            "io/json_document.hpp", "io/json_text.hpp", "io/mesh_readers.hpp", "io/names.hpp", "io/used_points.hpp",
+            "number/precision.hpp", "number/text.hpp", "oracle/parts/scene_verdict.hpp", "proof/decomposition_proof.hpp",
+            "proof/proof.hpp", "scene/objects.hpp", "simplify/run_names.hpp", "solid/solid.hpp", "solid/stage_log.hpp"}
 # Files that verify steps, and what they must not see: the surface and the cap that they verify.
 VERIFICATION = re.compile(r"src/simplify/(step_verification|inner_verification|plain_\w+|whole_dual|modular_volume)\.[hc]pp")
 VERIFIED = re.compile(r"simplify/(dual_surface|cap|ring_triangulation|exact_engine)\.hpp")
@@ -82,6 +91,8 @@ def offences(path, room):
         allowed = APART.get((room, target))
         if allowed is not None and included not in allowed:
             yield where + f"{room} includes {included}, from which it must stay apart"
+        if room == "cli" and target not in WORDING and not included.startswith("convexact") and included not in CLI_SEES:
+            yield where + f"cli includes {included}, which is not for the command line"
         if VERIFICATION.match(str(path)) and VERIFIED.match(included):
             yield where + f"the verification of steps includes {included}, which it verifies"
 

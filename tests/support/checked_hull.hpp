@@ -23,7 +23,7 @@ inline convexact::Hull checked_hull(const convexact::PointSet& points) {
   REQUIRE(std::holds_alternative<Hull>(outcome));
   const Hull& hull = std::get<Hull>(outcome);
   CHECK(check_hull(hull, points));
-  for (const HullOptions options : {HullOptions{1, 0}, HullOptions{2, 0}, HullOptions{3, 0.05}}) {
+  for (const HullOptions& options : {HullOptions{1, 0}, HullOptions{2, 0}, HullOptions{3, 0.05}}) {
     CAPTURE(options.seed);
     const Hull other = std::get<Hull>(convex_hull(points, options));
     CHECK(check_hull(other, points));

@@ -70,8 +70,7 @@ std::variant<MethodComparison, NotSolid> compare_methods(const std::string& name
   for (const Method* method : request.methods) {
     const std::string stage(method->name);
     comparison.results.push_back(log.run(stage, [&] {
-      return run_method(*method, hull_to_fit(solid, log.watch(stage), request.watch.stop), measures,
-                        request);
+      return run_method(*method, hull_to_fit(solid, log.watch(stage)), measures, request);
     }));
   }
   return comparison;

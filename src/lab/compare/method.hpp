@@ -5,7 +5,6 @@
 // refit.hpp makes a solid of its proposal in exact numbers.
 #pragma once
 #include <array>
-#include <atomic>
 #include <cstdint>
 #include <span>
 #include <string_view>
@@ -26,15 +25,13 @@ struct HullToFit {
   /// The facets of solid.polytope cut into fans, as indices of vertices, counter-clockwise from
   /// outside; 2 vertices.size() - 4 of them.
   std::vector<std::array<std::uint32_t, 3>> triangles;
-  Watch watch = {};                         ///< Methods whose loops may take seconds check it, ...
-  const std::atomic<bool>* stop = nullptr;  ///< ... or pass this flag on.
+  Watch watch = {};  ///< Methods whose loops may take seconds check it or pass it on.
 
   const Polytope& polytope() const { return solid.polytope; }
 };
 
 /// Keeps a reference to the solid.
-[[nodiscard]] HullToFit hull_to_fit(const Solid& solid, const Watch& watch = {},
-                                    const std::atomic<bool>* stop = nullptr);
+[[nodiscard]] HullToFit hull_to_fit(const Solid& solid, const Watch& watch = {});
 
 /// Outward directions, none of them zero. Their lengths do not matter, and repeats are allowed.
 using Normals = std::vector<RationalVector3>;

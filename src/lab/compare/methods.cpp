@@ -59,13 +59,13 @@ std::span<const Method> inner_methods() {
   return kMethods;
 }
 
-HullToFit hull_to_fit(const Solid& solid, const Watch& watch, const std::atomic<bool>* stop) {
+HullToFit hull_to_fit(const Solid& solid, const Watch& watch) {
   const Polytope& polytope = solid.polytope;
   const BoundingBox box = bounding_box(polytope.vertices);
   const RationalPoint middle = box.middle();
   const long exponent =
       exponent_of(Rational(box.size().maxCoeff())) - 1;  // of half the widest side
-  HullToFit hull{solid, {}, {}, watch, stop};
+  HullToFit hull{solid, {}, {}, watch};
   for (const RationalPoint& vertex : polytope.vertices) {
     Point near;
     for (const int k : {0, 1, 2}) {

@@ -80,7 +80,7 @@ RefitOutcome refit(const HullToFit& hull, const HullMeasures& measures, const No
     throw Error(ErrorCode::Internal, "a refitted solid misses a point of the input");
   }
   // (4) Its measures.
-  const HausdorffDistance distance = hausdorff_distance(solid, hull.polytope(), hull.stop);
+  const HausdorffDistance distance = hausdorff_distance(solid, hull.polytope(), hull.watch);
   return refit_of(std::move(solid), distance, measures, hull.watch);
 }
 
@@ -97,14 +97,14 @@ RefitOutcome hull_of_corners(const HullToFit& hull, const HullMeasures& measures
   }
   if (selected.size() < 4) return FlatSelection{};
   const PointSet points(std::move(selected));
-  const HullOutcome outcome = convex_hull(points, {.seed = seed, .stop = hull.stop});
+  const HullOutcome outcome = convex_hull(points, {.seed = seed, .watch = hull.watch});
   const auto* found = std::get_if<Hull>(&outcome);
   if (found == nullptr) return FlatSelection{};
   if (count_outside(hull.polytope().planes, points) != 0) {
     throw Error(ErrorCode::Internal, "a selected vertex is outside of the hull");
   }
   Polytope solid = to_polytope(*found, points);
-  const HausdorffDistance distance = hausdorff_distance(hull.polytope(), solid, hull.stop);
+  const HausdorffDistance distance = hausdorff_distance(hull.polytope(), solid, hull.watch);
   return refit_of(std::move(solid), distance, measures, hull.watch);
 }
 

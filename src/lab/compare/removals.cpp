@@ -31,7 +31,7 @@ std::vector<HalfspaceId> greedily_kept(const HullToFit& hull, const FastDual& du
   options.faces = faces;
   options.cost = cost;
   options.seed = seed;
-  options.stop = hull.stop;
+  options.watch = hull.watch;
   return simplify_filtered(dual, options).survivors;
 }
 
@@ -118,7 +118,7 @@ Normals propose_search(const HullToFit& hull, std::size_t faces, std::uint64_t s
   const RationalPoint center = interior_point_of(hull.solid);
   const FastDual fast = FastDual::of(dual, center);
   std::vector<HalfspaceId> kept = greedily_kept(hull, fast, faces, seed, CostMeasure::Volume);
-  const SearchOptions options{.request = {SearchKind::Local}, .seed = seed, .stop = hull.stop};
+  const SearchOptions options{.request = {SearchKind::Local}, .seed = seed, .watch = hull.watch};
   const SearchRun found = search_exchanges(dual, hull.polytope(), center, kept, options);
   return normals_of(dual, after_moves(std::move(kept), found.moves));
 }
@@ -129,12 +129,12 @@ Normals propose_random(const HullToFit& hull, std::size_t faces, std::uint64_t s
 
 HullCorners select_drop(const HullToFit& hull, std::size_t vertices, std::uint64_t seed) {
   const PointSet points(hull.polytope().vertices);
-  const HullOutcome outcome = convex_hull(points, {.seed = seed, .stop = hull.stop});
+  const HullOutcome outcome = convex_hull(points, {.seed = seed, .watch = hull.watch});
   const auto* found = std::get_if<Hull>(&outcome);
   if (found == nullptr) throw Error(ErrorCode::Internal, "the vertices of a hull have none");
   const VertexHull start = vertex_hull(*found, points);
   const InnerRun run = simplify_inner_filtered(
-      start, InnerOptions{.vertices = vertices, .seed = seed, .stop = hull.stop});
+      start, InnerOptions{.vertices = vertices, .seed = seed, .watch = hull.watch});
   HullCorners left;
   for (const VertexId v : vertices_left(run, start.ids.size())) {
     left.push_back(start.ids[v.index()].value);

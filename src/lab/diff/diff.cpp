@@ -50,13 +50,7 @@ std::vector<Run> run_engines(const DiffCase& c) {
     options.compare = c.request.compare;
     options.seed = c.request.seed;
     options.verify = VerifyLevel::None;
-    options.stop = c.request.watch.stop;
-    if (c.request.watch.progress) {
-      options.progress = [&c, engine](std::size_t left) {
-        const std::size_t at_start = c.dual.halfspaces.size();
-        c.request.watch.progress(stage_name(engine), at_start - left, at_start - c.request.faces);
-      };
-    }
+    options.watch = c.request.watch.of(stage_name(engine));
     runs.push_back(c.log.run(
         stage_name(engine), [&] { return run_engine(engine, c.dual, c.center, options, record); }));
   }
@@ -64,7 +58,7 @@ std::vector<Run> run_engines(const DiffCase& c) {
 }
 
 DivergenceOptions options_of(const DiffRequest& request) {
-  return {.compare = request.compare, .stop = request.watch.stop};
+  return {.compare = request.compare, .watch = request.watch.stop};
 }
 
 // Sets the ratios of the results of two runs.

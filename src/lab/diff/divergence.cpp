@@ -17,7 +17,7 @@ namespace {
 bool may_be_same(const std::optional<Cost>& a, const std::optional<Cost>& b,
                  const DivergenceOptions& options) {
   if (!a || !b) return a.has_value() == b.has_value();
-  const Order order = compare(*a, *b, options.compare, options.watch()).order;
+  const Order order = compare(*a, *b, options.compare, options.watch).order;
   return order == Order::Equal || order == Order::Undecided;
 }
 
@@ -92,24 +92,24 @@ Rational gap_between(const Cost& lower, const Cost& higher, const Watch& watch) 
 void judge_costs(Divergence& found, const RemovalCost& reference, const RemovalCost& other,
                  const DivergenceOptions& options) {
   const Cost &a = *reference.cost, &b = *other.cost;
-  const Order order = compare(a, b, options.compare, options.watch()).order;
+  const Order order = compare(a, b, options.compare, options.watch).order;
   if (order == Order::Equal || order == Order::Undecided) {
     found.kind = DivergenceKind::Tie;
     found.reference_at_fault = *found.other.removed < *found.reference.removed;
     found.is_undecided = order == Order::Undecided;
-    found.regret = relative_regret(a, b, options.compare, options.watch());
+    found.regret = relative_regret(a, b, options.compare, options.watch);
     return;
   }
   found.reference_at_fault = order == Order::Greater;
   const Cost &lower = found.reference_at_fault ? b : a, &higher = found.reference_at_fault ? a : b;
   std::optional<Rational> rounding;
   if (reference.rounding && other.rounding) rounding = *reference.rounding + *other.rounding;
-  found.kind = !rounding || gap_between(lower, higher, options.watch()) <= *rounding
+  found.kind = !rounding || gap_between(lower, higher, options.watch) <= *rounding
                    ? DivergenceKind::BelowRounding
                    : DivergenceKind::WrongTopology;
-  found.regret = relative_regret(higher, lower, options.compare, options.watch());
+  found.regret = relative_regret(higher, lower, options.compare, options.watch);
   if (!found.regret || !rounding) return;
-  found.rounding = *rounding / number_of(lower, options.watch());
+  found.rounding = *rounding / number_of(lower, options.watch);
 }
 
 Divergence choices_at(std::size_t step, std::size_t halfspaces,
@@ -123,7 +123,7 @@ Divergence judge_choices(const Run& run, const RationalPoint& center, std::size_
                          std::optional<HalfspaceId> reference, std::optional<HalfspaceId> other,
                          const DivergenceOptions& options) {
   Divergence found = choices_at(step, run.halfspaces.size(), reference, other);
-  const CostsAt costs(run, center, step, options.watch());
+  const CostsAt costs(run, center, step, options.watch);
   const RemovalCost first = costs(found.reference), second = costs(found.other);
   found.reference.cost = first.cost;
   found.other.cost = second.cost;
@@ -154,7 +154,7 @@ std::optional<Divergence> find_divergence(const RationalPoint& center, const Run
   Divergence found = choices_at(step, reference.halfspaces.size(), first, second);
   if (first) {
     judge_record(found, reference.steps[step], other.steps[step],
-                 {reference, center, step, options.watch()}, options);
+                 {reference, center, step, options.watch}, options);
   }
   return found;
 }
@@ -189,11 +189,11 @@ void follow(const DualHull& dual, const RationalPoint& center, const Run& run,
             const DivergenceOptions& options, Tell&& tell) {
   const FastDual fast = FastDual::of(dual, center);
   const SimplifyOptions loop_options{
-      .keep = run.kept, .cost = run.measure, .compare = options.compare, .stop = options.stop};
+      .keep = run.kept, .cost = run.measure, .compare = options.compare, .watch = options.watch};
   FilteredLoop loop(fast, loop_options);
   loop.evaluate_all();
   for (std::size_t step = 0; step < run.steps.size(); ++step) {
-    options.watch().ask();
+    options.watch.ask();
     const HalfspaceId chosen = run.steps[step].removed;
     const std::optional<HalfspaceId> cheapest = loop.choose();
     if (cheapest != chosen) {
@@ -209,7 +209,7 @@ void follow(const DualHull& dual, const RationalPoint& center, const Run& run,
         if (found.is_undecided) {
           found.reference.cost = loop.cost(*cheapest);
           found.regret = relative_regret(*found.other.cost, *found.reference.cost, options.compare,
-                                         options.watch());
+                                         options.watch);
         }
       }
       if (!tell(std::move(found)) || !loop.is_bounded(chosen)) return;

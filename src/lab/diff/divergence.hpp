@@ -2,7 +2,6 @@
 // divergence.hpp - where a greedy run differs from another run, or from the cheapest removal, and
 // which one was right.
 #pragma once
-#include <atomic>
 #include <optional>
 #include <vector>
 
@@ -11,7 +10,7 @@
 #include "convexact/run.hpp"
 #include "convexact/simplify.hpp"
 #include "io/names.hpp"
-#include "oracle/removal_cost.hpp"
+#include "oracle/order/removal_cost.hpp"
 
 namespace convexact {
 
@@ -57,10 +56,8 @@ struct Divergence {
 
 /// How runs are judged.
 struct DivergenceOptions {
-  CompareLimits compare = {};               ///< Of mean widths.
-  const std::atomic<bool>* stop = nullptr;  ///< When it becomes true: Error Stopped.
-
-  Watch watch() const { return stop; }
+  CompareLimits compare = {};  ///< Of mean widths.
+  Watch watch = {};            ///< Ends it: Error Stopped.
 };
 
 /// Judges, by the definition, two different choices in the state after the first `step` removals of

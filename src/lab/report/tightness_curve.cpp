@@ -47,12 +47,8 @@ void time_progressive_runs(const FastDual& dual, std::size_t least, CostMeasure 
     options.faces = least;
     options.cost = measure;
     options.seed = effort.seed;
-    deadline.apply_to(options);
-    const auto check = options.progress;
-    options.progress = [&](std::size_t left) {
-      arrivals.reach(left);
-      check(left);
-    };
+    options.watch = deadline.engine_watch(
+        [&](std::size_t done, std::size_t) { arrivals.reach(dual.size() - done); });
     arrivals.start();
     arrivals.reach(dual.size());
     (void)simplify_filtered(dual, options);
@@ -103,7 +99,7 @@ TightnessCurve measure_tightness_curve(const Solid& solid, std::size_t least, co
     options.faces = faces[i];
     options.cost = measure;
     options.verify = VerifyLevel::None;
-    options.stop = effort.stop;
+    options.watch = effort.stop;
     const FastResult result = simplify_filtered(dual, options);
     const Polytope left = to_polytope(dual_hull.halfspaces, result.triangles);
     TightnessPoint point{.faces = faces[i],

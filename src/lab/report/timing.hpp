@@ -78,10 +78,12 @@ class Deadline {
                                std::size_t) { look_at_the_clock(done); },
             .stop = &ring_};
   }
-  /// The same for an engine.
-  void apply_to(SimplifyOptions& options) {
-    options.stop = &ring_;
-    options.progress = [this](std::size_t left) { look_at_the_clock(left); };
+  /// The same for an engine. @param told  Called after each removal as well.
+  Watch engine_watch(Watch::Progress told = {}) {
+    return {&ring_, [this, told = std::move(told)](std::size_t done, std::size_t total) {
+              if (told) told(done, total);
+              look_at_the_clock(done);
+            }};
   }
 
  private:

@@ -66,7 +66,7 @@ SimplifyOptions Workbench::options(Deadline& deadline) const {
   SimplifyOptions options;
   options.faces = faces_;
   options.seed = effort_.seed;
-  deadline.apply_to(options);
+  options.watch = deadline.engine_watch();
   return options;
 }
 
@@ -170,7 +170,7 @@ void Workbench::judge_order(WayResult& result, const std::vector<HalfspaceId>& r
   run.halfspaces = dual_.halfspaces;
   run.stop = result.stop;
   for (const HalfspaceId id : removed) run.steps.push_back({id});
-  const auto wrong = first_wrong_step(dual_, center_, run, {.stop = effort_.stop});
+  const auto wrong = first_wrong_step(dual_, center_, run, {.watch = effort_.stop});
   if (!wrong) return;
   result.first_wrong = WrongStep{wrong->step, std::nullopt};
   if (wrong->regret) result.first_wrong->regret = wrong->regret->near_double();
@@ -199,7 +199,7 @@ WorkPrecision Workbench::run(const std::vector<std::string>& ways) {
   SimplifyOptions with_record;
   with_record.faces = faces_;
   with_record.seed = effort_.seed;
-  with_record.stop = effort_.stop;
+  with_record.watch = effort_.stop;
   filtered_ = simplify_filtered(dual_, center_, with_record);
   reference_ = filtered_;
   tell("exact");

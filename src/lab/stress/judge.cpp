@@ -9,7 +9,7 @@
 #include "convexact/number.hpp"
 #include "convexact/verify.hpp"
 #include "number/precision.hpp"
-#include "oracle/removal_cost.hpp"
+#include "oracle/order/removal_cost.hpp"
 #include "solid/solid.hpp"
 
 namespace convexact {

@@ -8,8 +8,8 @@
 #include "convexact/measure.hpp"
 #include "lab/stress/judge.hpp"
 #include "number/arithmetic.hpp"
-#include "oracle/removal_cost.hpp"
-#include "oracle/trace_claims.hpp"
+#include "oracle/order/removal_cost.hpp"
+#include "oracle/order/trace_claims.hpp"
 #include "simplify/run_names.hpp"
 #include "wire/trace_json.hpp"
 

@@ -66,12 +66,12 @@ void take_answer(const std::string& text, PartsStressRun& run) {
 }
 
 PartsStressRun run_of(const PartsFamily& family, double value, const StressLimits& limits,
-                      const std::atomic<bool>* stop) {
+                      const Watch& watch) {
   const std::function<Json()> work = [&] { return run_json(cut_and_judge(family.make(value))); };
   const auto child = start_child(work, limits);
   std::optional<ProgramRun> ended;
   while (!ended) {
-    if (stop != nullptr && *stop) throw Error(ErrorCode::Stopped, "interrupted");
+    watch.ask();
     ended = child->poll(20);
   }
   const ChildEnd end = end_of(*ended, *child, limits);
@@ -118,10 +118,9 @@ PartsStressRun cut_and_judge(const Mesh& mesh) {
   return run;
 }
 
-std::vector<PartsStressRun> stress_parts(
-    std::span<const PartsFamily> families, std::span<const double> values,
-    const StressLimits& limits, const std::function<void(std::size_t, std::size_t)>& progress,
-    const std::atomic<bool>* stop) {
+std::vector<PartsStressRun> stress_parts(std::span<const PartsFamily> families,
+                                         std::span<const double> values, const StressLimits& limits,
+                                         const Watch& watch) {
   std::vector<std::pair<const PartsFamily*, double>> inputs;
   for (const PartsFamily& family : families) {
     for (const double value : values.empty() ? std::span<const double>(family.values) : values) {
@@ -130,8 +129,8 @@ std::vector<PartsStressRun> stress_parts(
   }
   std::vector<PartsStressRun> runs;
   for (const auto& [family, value] : inputs) {
-    if (progress) progress(runs.size(), inputs.size());
-    runs.push_back(run_of(*family, value, limits, stop));
+    watch.report(runs.size(), inputs.size());
+    runs.push_back(run_of(*family, value, limits, watch));
   }
   return runs;
 }

@@ -2,7 +2,6 @@
 // parts_stress.hpp - a sweep of solids that are hard to take apart: each is cut into parts in a
 // process of its own, and the oracle judges what is said of them.
 #pragma once
-#include <atomic>
 #include <functional>
 #include <span>
 #include <string>
@@ -46,11 +45,11 @@ struct PartsStressRun {
 
 /// A run for each value of each family, in this order.
 /// @param values  Instead of the families' own, if there are any.
-/// @throws Error Stopped when `stop` becomes true.
-[[nodiscard]] std::vector<PartsStressRun> stress_parts(
-    std::span<const PartsFamily> families, std::span<const double> values,
-    const StressLimits& limits, const std::function<void(std::size_t, std::size_t)>& progress = {},
-    const std::atomic<bool>* stop = nullptr);
+/// @throws Error Stopped when the watch ends it.
+[[nodiscard]] std::vector<PartsStressRun> stress_parts(std::span<const PartsFamily> families,
+                                                       std::span<const double> values,
+                                                       const StressLimits& limits,
+                                                       const Watch& watch = {});
 
 /// docs/schema/stress-parts.schema.json.
 [[nodiscard]] Json parts_stress_json(std::span<const PartsStressRun> runs);

@@ -57,7 +57,7 @@ class Sweep {
 std::vector<StressRun> Sweep::run() {
   Children children;
   for (std::size_t next = 0; done_ < inputs_.size();) {
-    if (request_.stop != nullptr && *request_.stop) throw Error(ErrorCode::Stopped, "interrupted");
+    request_.watch.ask();
     while (children.size() < std::max<std::size_t>(request_.processes, 1) &&
            next < inputs_.size()) {
       children.emplace(next, start(next));
@@ -126,7 +126,7 @@ void Sweep::finish(std::size_t i, const ChildEnd& end) {
   progress.answers.clear();
   progress.done = true;
   ++done_;
-  if (request_.progress) request_.progress(done_, inputs_.size());
+  request_.watch.report(done_, inputs_.size());
 }
 
 }  // namespace

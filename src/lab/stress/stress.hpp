@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 // stress.hpp - a sweep: every engine on every input, each in a separate process, all judged.
 #pragma once
-#include <atomic>
 #include <functional>
 #include <span>
 #include <vector>
@@ -21,9 +20,7 @@ struct StressRequest {
   std::size_t processes = 1;  ///< At the same time, >= 1.
   /// The engines under test; replaced in tests of the judge itself.
   std::function<EngineAnswer(const Shape&, const Question&)> answer = answer_of;
-  /// Called when inputs are done, with their number and the number of all.
-  std::function<void(std::size_t done, std::size_t total)> progress;
-  const std::atomic<bool>* stop = nullptr;  ///< When it becomes true: Error Stopped.
+  Watch watch = {};  ///< Told of the inputs that are done; ends it: Error Stopped.
 };
 
 /// The runs in the order of the inputs and, of each, of the engines. Every failure of an engine or

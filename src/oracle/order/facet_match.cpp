@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "oracle/facet_match.hpp"
+#include "oracle/order/facet_match.hpp"
 
 #include <algorithm>
 #include <limits>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "oracle/judge.hpp"
+#include "oracle/solid/claim_sheet.hpp"
 
 #include <fmt/format.h>
 

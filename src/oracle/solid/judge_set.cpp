@@ -6,7 +6,7 @@
 #include "convexact/number.hpp"
 #include "near/near_plane.hpp"
 #include "number/text.hpp"
-#include "oracle/judge.hpp"
+#include "oracle/solid/judge.hpp"
 #include "scene/objects.hpp"
 #include "solid/solid.hpp"
 

@@ -6,7 +6,7 @@
 
 #include "convexact/reach.hpp"
 #include "number/text.hpp"
-#include "oracle/judge.hpp"
+#include "oracle/parts/judge.hpp"
 #include "parts/part_volumes.hpp"
 
 namespace convexact::oracle {

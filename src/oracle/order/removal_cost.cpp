@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "oracle/removal_cost.hpp"
+#include "oracle/order/removal_cost.hpp"
 
 #include <algorithm>
 

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "convexact/verify_order.hpp"
-#include "oracle/facet_match.hpp"
+#include "oracle/order/facet_match.hpp"
 
 namespace convexact {
 
@@ -47,7 +47,7 @@ class StatedClaims {
       : order_(order),
         facets_(facets),
         options_(options),
-        watch_(options.stop),
+        watch_(options.watch),
         loop_(loop),
         claims_(claims) {}
 

@@ -7,9 +7,9 @@
 #include "convexact/number.hpp"
 #include "convexact/verify_order.hpp"
 #include "fast/filtered_loop.hpp"
-#include "oracle/facet_match.hpp"
-#include "oracle/removal_cost.hpp"
-#include "oracle/trace_claims.hpp"
+#include "oracle/order/facet_match.hpp"
+#include "oracle/order/removal_cost.hpp"
+#include "oracle/order/trace_claims.hpp"
 
 namespace convexact {
 namespace {
@@ -30,11 +30,11 @@ class TraceJudge {
         options_(options),
         purpose_(purpose),
         facets_(dual, order, options.unit),
-        watch_(options.stop),
+        watch_(options.watch),
         engine_options_{.keep = options.kept,
                         .cost = order.measure,
                         .compare = options.compare,
-                        .stop = options.stop},
+                        .watch = options.watch},
         fast_(FastDual::of(dual, center)),
         loop_(fast_, engine_options_),
         stated_(order, facets_, options, loop_, claims_),
@@ -197,7 +197,7 @@ bool TraceJudge::follow(const OrderedStep& removal) {
                        dual_.halfspaces.size() - verdict_.left_out.size() - step() - 1);
   gone_at_[removed->index()] = step();
   verdict_.steps.push_back(judged);
-  if (options_.progress) options_.progress(step());
+  watch_.report(step(), dual_.halfspaces.size() - verdict_.left_out.size() - 4);
   if (!judged.cost) return false;
   loop_.remove(*removed);
   return true;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "oracle/excess.hpp"
+#include "oracle/solid/excess.hpp"
 
 #include "convexact/error.hpp"
 #include "convexact/measure.hpp"
@@ -67,11 +67,11 @@ std::optional<Excess> find_excess(std::span<const Halfspace> halfspaces, const P
 }
 
 std::optional<Farthest> find_farthest(const Polytope& polytope, const PointSet& points,
-                                      std::span<const PointId> ids, const std::atomic<bool>* stop) {
+                                      std::span<const PointId> ids, const Watch& watch) {
   const NearestPoint nearest_point(polytope);
   std::optional<Farthest> farthest;
   for (const PointId id : ids) {
-    Watch(stop).ask();
+    watch.ask();
     const RationalPoint point = points[id];
     RationalPoint nearest = nearest_point(point);
     const RationalVector3 gap = point - nearest;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "oracle/trace_claims.hpp"
+#include "oracle/order/trace_claims.hpp"
 
 #include <algorithm>
 #include <array>
@@ -10,7 +10,7 @@
 #include "fast/filtered_loop.hpp"
 #include "io/names.hpp"
 #include "number/precision.hpp"
-#include "oracle/removal_cost.hpp"
+#include "oracle/order/removal_cost.hpp"
 
 namespace convexact {
 namespace {
@@ -283,7 +283,7 @@ std::optional<MoveFault> find_move_fault(const RemovalOrder& order, const NamedF
                                          std::span<const Halfspace> halfspaces,
                                          std::vector<bool> is_there, const RationalPoint& center,
                                          const JudgeOptions& options) {
-  const Watch watch(options.stop);
+  const Watch& watch = options.watch;
   const auto measure_now = [&](const std::vector<bool>& there) {
     return measure_of(halfspaces, there, center, order.measure, watch);
   };

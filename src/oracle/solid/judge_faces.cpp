@@ -8,8 +8,8 @@
 #include "convexact/measure.hpp"
 #include "convexact/number.hpp"
 #include "number/text.hpp"
-#include "oracle/judge.hpp"
-#include "oracle/mesh_surface.hpp"
+#include "oracle/solid/judge.hpp"
+#include "oracle/solid/mesh_surface.hpp"
 
 namespace convexact::oracle {
 namespace {

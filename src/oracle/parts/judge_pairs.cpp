@@ -9,7 +9,7 @@
 
 #include "convexact/hull_tree.hpp"
 #include "number/text.hpp"
-#include "oracle/judge.hpp"
+#include "oracle/parts/judge.hpp"
 
 namespace convexact::oracle {
 namespace {

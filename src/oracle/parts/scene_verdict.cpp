@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "oracle/scene_verdict.hpp"
+#include "oracle/parts/scene_verdict.hpp"
 
 #include <fmt/format.h>
 
@@ -40,9 +40,8 @@ GapVerdict::Witness witness_of(const PartFace& face, const SceneObject& part,
 }
 
 GapVerdict judge_gaps(const std::vector<SceneObject>& input,
-                      const std::vector<std::vector<Halfspace>>& solids,
-                      const std::atomic<bool>* stop) {
-  GapVerdict found{find_gaps(input, solids, stop), {}, {}};
+                      const std::vector<std::vector<Halfspace>>& solids, const Watch& watch) {
+  GapVerdict found{find_gaps(input, solids, watch), {}, {}};
   const Gaps& gaps = found.gaps;
   if (gaps.out_of_own.empty()) {
     found.sentence = fmt::format("each of {} faces is inside the candidate of its part",

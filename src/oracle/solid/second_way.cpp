@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "oracle/second_way.hpp"
+#include "oracle/solid/second_way.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -13,7 +13,7 @@
 #include "io/file_kind.hpp"
 #include "io/names.hpp"
 #include "number/text.hpp"
-#include "oracle/judge.hpp"
+#include "oracle/solid/judge.hpp"
 #include "solid/solid.hpp"
 
 namespace convexact {
@@ -141,13 +141,13 @@ void find_smallest_tolerance(Trial& trial) {
 
 // If the candidate is known to contain the hull, the distance is measured in one direction only.
 Tightness measure_tightness(const Polytope& candidate, const Polytope& hull, bool contained,
-                            const std::atomic<bool>* stop) {
+                            const Watch& watch) {
   constexpr long kBits = 96;  // some twenty certain decimal digits of each ratio
-  Rational squared = hausdorff_distance(candidate, hull, stop).squared;
-  if (!contained) squared = std::max(squared, hausdorff_distance(hull, candidate, stop).squared);
+  Rational squared = hausdorff_distance(candidate, hull, watch).squared;
+  if (!contained) squared = std::max(squared, hausdorff_distance(hull, candidate, watch).squared);
   return {enclose_volume(candidate, kBits) / enclose_volume(hull, kBits),
           surface_area(candidate, kBits) / surface_area(hull, kBits),
-          mean_width(candidate, kBits, stop) / mean_width(hull, kBits, stop), std::move(squared)};
+          mean_width(candidate, kBits, watch) / mean_width(hull, kBits, watch), std::move(squared)};
 }
 
 void measure(Trial& trial) {

@@ -11,9 +11,9 @@
 #include "convexact/number.hpp"
 #include "convexact/stored.hpp"
 #include "number/text.hpp"
-#include "oracle/excess.hpp"
-#include "oracle/judge.hpp"
-#include "oracle/second_way.hpp"
+#include "oracle/solid/excess.hpp"
+#include "oracle/solid/judge.hpp"
+#include "oracle/solid/second_way.hpp"
 #include "solid/solid.hpp"
 
 namespace convexact::oracle {

@@ -10,11 +10,11 @@
 #include "convexact/error.hpp"
 #include "convexact/measure.hpp"
 #include "number/text.hpp"
-#include "oracle/judge.hpp"
+#include "oracle/parts/judge.hpp"
+#include "oracle/solid/judge.hpp"
 
 namespace convexact {
 namespace oracle {
-namespace {
 
 using enum ClaimCode;
 
@@ -32,6 +32,8 @@ const std::optional<std::size_t>* budget_of(const PartsRequest& request, ClaimCo
       return nullptr;
   }
 }
+
+namespace {
 
 // Of a claim that is asked for by a number: whether that is given.
 std::optional<bool> has_number(const PartsRequest& request, ClaimCode code) {

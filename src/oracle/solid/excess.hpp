@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 // excess.hpp - how far points lie beyond planes and away from solids, exactly.
 #pragma once
-#include <atomic>
 #include <optional>
 #include <span>
 
+#include "convexact/error.hpp"
 #include "convexact/geometry.hpp"
 
 namespace convexact {
@@ -33,11 +33,11 @@ struct Farthest {
 /// The one of the points `ids` that is farthest from the solid, of equals the first; nothing if all
 /// lie in it. A plane's distance is no more than a lower bound of this one: at a sharp edge a point
 /// may be close to every plane and far from the solid.
-/// @throws Error Stopped when `stop` becomes true.
+/// @throws Error Stopped when the watch ends it.
 /// @par Cost  NearestPoint for each of them.
 [[nodiscard]] std::optional<Farthest> find_farthest(const Polytope& polytope,
                                                     const PointSet& points,
                                                     std::span<const PointId> ids,
-                                                    const std::atomic<bool>* stop = nullptr);
+                                                    const Watch& watch = {});
 
 }  // namespace convexact

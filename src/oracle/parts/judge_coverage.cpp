@@ -9,7 +9,7 @@
 #include "convexact/stored.hpp"
 #include "number/precision.hpp"
 #include "number/text.hpp"
-#include "oracle/judge.hpp"
+#include "oracle/parts/judge.hpp"
 #include "parts/part_volumes.hpp"
 #include "surface/box_tree.hpp"
 

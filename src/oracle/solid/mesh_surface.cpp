@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "oracle/mesh_surface.hpp"
+#include "oracle/solid/mesh_surface.hpp"
 
 #include <algorithm>
 #include <array>
@@ -12,7 +12,7 @@
 
 #include "convexact/geometry.hpp"
 #include "number/arithmetic.hpp"
-#include "oracle/excess.hpp"
+#include "oracle/solid/excess.hpp"
 
 namespace convexact {
 namespace {
