@@ -9,6 +9,7 @@
 #include "simplify/run_names.hpp"
 #include "teach/lesson.hpp"
 #include "teach/lesson_page.hpp"
+#include "teach/plane_lesson.hpp"
 #include "wire/simplify_options.hpp"
 #include "wire/stage_report.hpp"
 
@@ -21,6 +22,7 @@ constexpr const char* kTeachFooter =
     "  convexact teach planes.ine --faces 6 --cost area --measures volume,mean-width -o a.html\n"
     "  convexact teach cube.obj --center 1/2,1/2,1/2 --precision 64 -o lesson.html -o lesson.json\n"
     "  convexact teach cube.obj --json | jq .removals\n"
+    "  convexact teach polygon.obj --plane -o polygon.html\n"
     "\n"
     "The lesson is a record of what the engine did: each point of the hull, each row of the "
     "linear\n"
@@ -37,15 +39,27 @@ struct TeachArguments {
   std::vector<std::string> outputs;
   std::string center = "chebyshev";
   LessonRequest request;
+  bool in_plane = false;
 };
 
 void require_sensible(const TeachArguments& options) {
+  if (options.in_plane && (options.outputs.empty() || options.global.json)) {
+    throw Error(ErrorCode::InvalidArgument,
+                "with --plane a lesson is a page that computes itself: add -o lesson.html, and "
+                "leave out --json");
+  }
   if (options.outputs.empty() && !options.global.json) {
     throw Error(ErrorCode::InvalidArgument,
                 "teach needs a place for the lesson: add -o lesson.html (a page) or -o lesson.json "
                 "(its data), or --json to print the data");
   }
   for (const std::string& path : options.outputs) {
+    if (options.in_plane && !path.ends_with(".html")) {
+      throw Error(ErrorCode::InvalidArgument,
+                  "-o: with --plane a lesson is a page that computes itself: expected a name that "
+                  "ends in .html, found " +
+                      in_quotes(path));
+    }
     if (!path.ends_with(".html") && !path.ends_with(".json")) {
       throw Error(ErrorCode::InvalidArgument,
                   "-o: expected a name that ends in .html or .json, found " + in_quotes(path));
@@ -96,8 +110,25 @@ std::string summary_of(const Lesson& lesson, const OutputFiles& files) {
   return text;
 }
 
+int run_plane_lesson(const TeachArguments& options) {
+  CommandRun run(options.global);
+  const SceneObject object = run.read_one(options.input, options.scene);
+  const std::string page = plane_lesson_page(object);
+  OutputFiles files;
+  std::string text =
+      object.name + "\n  lesson      in the plane; what has a ring around it can be dragged\n";
+  for (const std::string& path : options.outputs) {
+    files.emplace_back(path, page);
+    text += "  written     " + path + "\n";
+  }
+  run.progress().clear();
+  write_together(files, text);
+  return 0;
+}
+
 int run_teach(const TeachArguments& options) {
   require_sensible(options);
+  if (options.in_plane) return run_plane_lesson(options);
   LessonRequest request = options.request;
   request.center = parse_center("--center", options.center);
   request.seed = options.global.seed;
@@ -157,6 +188,13 @@ void add_teach_command(Command& program, int& exit_code) {
   add_choice<Precision>(command, "--precision", options->request.precision,
                         {{"64", Precision::Binary64}, {"32", Precision::Binary32}},
                         "the numbers in which the lesson stores the result");
+  Option plane =
+      command.add_flag("--plane", options->in_plane,
+                       "in the plane, from points with one z, or on convex parts, from a "
+                       "face: a page that computes itself, where things can be dragged");
+  for (const char* other : {"--faces", "--cost", "--measures", "--center", "--precision"}) {
+    plane->excludes(command.get_option(other));
+  }
   options->scene.on_read = remember_input;
   add_decimal_option(command, options->scene.decimal);
   finish_command(command, options, exit_code, run_teach);

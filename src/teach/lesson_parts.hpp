@@ -10,4 +10,8 @@ extern const std::string_view kLessonPage, kLessonStyle;
 extern const std::string_view kRationalScript, kPaneScript, kRecordScript, kChaptersScript,
     kRemovalsScript, kFilmScript, kStoringScript, kLessonScript;
 
+// Of the lessons in the plane: on halfplanes, and on parts.
+extern const std::string_view kPlanePage, kPlaneStyle, kPolygonScript, kPlanePageScript,
+    kPlaneScript, kPiecesScript, kCutsScript;
+
 }  // namespace convexact

@@ -53,11 +53,14 @@ def press(page, key):
         page.call("Input.dispatchKeyEvent", type=kind, key=key, code=key)
 
 
-def opened(path, hash_="", width=1300, height=900, dark=False, still=True):
+def opened(path, hash_="", width=1300, height=900, dark=False, still=True, asks=False):
     media = [("prefers-color-scheme", "dark" if dark else "light")]
     if still:
         media.append(("prefers-reduced-motion", "reduce"))
-    return chromium.Page(pathlib.Path(path).resolve().as_uri() + hash_, width=width, height=height, media=media)
+    page = chromium.Page(pathlib.Path(path).resolve().as_uri() + hash_, width=width, height=height, media=media)
+    if not asks:
+        page.evaluate("state.isTold = true; show()")
+    return page
 
 
 def says(shown, exact):
@@ -111,9 +114,20 @@ def walk(page, lesson, name):
         assert step["hash"] not in steps, f"{name}: #{step['hash']} twice"
         steps[step["hash"]] = step
         if step["last"]:
-            assert not page.complaints, page.complaints
-            return steps
+            break
         press(page, "ArrowRight")
+    # Details that a walk leaves out are reached by their address.
+    for name in page.evaluate("steps.filter(step => step.isDetail).map(step => step.id)"):
+        assert name not in steps and int(name.split("-")[1]) > lesson["topology"]["step"] + 3, name
+        page.evaluate(f"location.hash = '#{name}'; new Promise(requestAnimationFrame)")
+        step = page.evaluate(STEP)
+        assert step["hash"] == name, (step["hash"], name)
+        check_step(step, lesson, name)
+        steps[name] = step
+    assert list(sorted(steps)) == sorted(page.evaluate("steps.map(step => step.id)"))
+    assert not page.complaints, page.complaints
+    page.evaluate("go(steps.length - 1)")
+    return steps
 
 
 def lesson_of(program, arguments):
@@ -223,9 +237,9 @@ def check_doubles(program, folder):
     try:
         assert page.evaluate("document.getElementById('doubles').checked")  # where they are far off, from the start
         signs, off = 0, []
-        while not page.evaluate("document.getElementById('next').disabled"):
+        for name in page.evaluate("steps.filter(step => step.chapter.id === 'verification').map(step => step.id)"):
+            page.evaluate(f"go(steps.findIndex(step => step.id === {json.dumps(name)}))")
             signs += page.evaluate("document.getElementById('more').innerText").count("the wrong sign")
-            press(page, "ArrowRight")
         page.evaluate("location.hash = '#removal-1'; new Promise(requestAnimationFrame)")
         off = re.findall(r"([0-9.e+]+)%", page.evaluate("document.getElementById('more').innerText"))
         assert signs > 0 and max(map(float, off)) > 1, (signs, off)
@@ -378,6 +392,35 @@ def check_contents(program, folder):
         page.close()
 
 
+def check_question(path, lesson):
+    """Before the first removal the reader is asked which it will be, and told why; nothing is blocked."""
+    page, removal = opened(path, "#removal-1", asks=True), lesson["removals"][0]
+    try:
+        text = lambda: page.evaluate("document.querySelector('main').innerText")  # noqa: E731
+        assert "Which one?" in text() and "Tell me" in text() and "goes\n" not in text(), text()
+        wrong = next(i for i in lesson["topology"]["present"] if i not in removal["tie"])
+        for guess, said in ((wrong, "Not so."), (removal["removed"], "Right.")):
+            page.evaluate(f"pick('h{guess}')")
+            assert said in text() and f"You picked {guess}." in text(), text()
+        page.evaluate("document.querySelector('[data-told]').click()")
+        assert "The cheapest is" in text() and "Which one?" not in text(), text()
+        page.evaluate("state.isTold = false; show()")
+        press(page, "ArrowRight")
+        press(page, "ArrowLeft")
+        assert "The cheapest is" in text(), text()
+        # What each chapter is for stands at its first step, what it gave at its last one.
+        for chapter in page.evaluate("chapters.map(chapter => chapter.id)"):
+            if chapter == "film":
+                continue
+            page.evaluate(f"go(steps.findIndex(step => step.chapter.id === '{chapter}'))")
+            assert "Wanted:" in text(), chapter
+            page.evaluate(f"go(steps.findLastIndex(step => step.chapter.id === '{chapter}'))")
+            assert "Now you have:" in text(), chapter
+        assert not page.complaints, page.complaints
+    finally:
+        page.close()
+
+
 def check_near_ties(path):
     """Costs that look the same are told apart: what is no tie says by how much it is dearer."""
     page, told = opened(path), 0
@@ -446,6 +489,7 @@ def main():
             if name == "icosahedron":
                 check_frame(page)
                 check_near_ties(page)
+                check_question(page, known)
                 check_film(page, known)
         planes = os.path.join(folder, "planes.json")
         subprocess.run([program, "hull", os.path.join(folder, "cube.obj"), "-o", planes], check=True, stdout=subprocess.DEVNULL)

@@ -5,7 +5,7 @@
 "use strict";
 
 const chapters = [];
-const state = {picked: null, center: [0, 0, 0], grown: 1, magnified: null};  // what a reader changes
+const state = {picked: null, center: [0, 0, 0], grown: 1, magnified: null, isTold: false};  // what a reader changes
 const pickedHalfspace = () => state.picked?.[0] === "h" ? Number(state.picked.slice(1)) : null;
 const pickedTriangle = () => state.picked?.[0] === "t" ? state.picked.slice(1).split(",").map(Number) : null;
 const first = lesson.topology ? () => surfaceAfter(0) : null;

@@ -15,6 +15,15 @@ const steps = chapters.flatMap(chapter => chapter.steps.map(step => ({...step, c
 for (const step of steps) step.isEntry = /^[a-z]+$|^(removal|verification)-(\d+|end)$/.test(step.id);  // in the contents
 const element = id => document.getElementById(id);
 let place = 0;
+// A walk leaves out details, but where one is shown it goes on to the next.
+const isOnWalk = k => k >= 0 && k < steps.length && (!steps[k].isDetail || steps[place].isDetail);
+function walk(by) {
+  let to = place + by;
+  while (to >= 0 && to < steps.length && !isOnWalk(to)) to += by;
+  return Math.max(0, Math.min(steps.length - 1, to));
+}
+const walked = steps.filter(step => !step.isDetail);
+const placeOnWalk = () => steps.slice(0, place + 1).filter(step => !step.isDetail).length;
 
 // --- what is shown ---------------------------------------------------------------------------------
 
@@ -54,14 +63,16 @@ function go(to, isNew = true) {
   place = Math.max(0, Math.min(steps.length - 1, to));
   const step = steps[place];
   if (before.chapter !== step.chapter) state.picked = null;
+  state.isTold ||= before !== step && before.chapter.id === "removal";  // the question before the first removal was seen
   state.grown = 1;
   state.magnified = null;
   for (const text of document.querySelectorAll(".chapter-text")) {
-    text.hidden = text.dataset.chapter !== step.chapter.id || step.chapter.steps[0].id !== step.id;
+    const isLast = text.dataset.after !== undefined, own = isLast ? step.chapter.steps.at(-1) : step.chapter.steps[0];
+    text.hidden = (text.dataset.chapter ?? text.dataset.after) !== step.chapter.id || own.id !== step.id;
   }
-  element("timeline").value = place;
+  element("timeline").value = placeOnWalk() - 1;
   element("timeline").setAttribute("aria-valuetext", `${step.chapter.name}, ${step.title}`);
-  element("count").textContent = `${place + 1} of ${steps.length}`;
+  element("count").textContent = `${placeOnWalk()} of ${walked.length}${step.isDetail ? ", in detail" : ""}`;
   element("back").disabled = place === 0;
   element("next").disabled = place === steps.length - 1;
   for (const link of document.querySelectorAll("#contents a")) {
@@ -136,10 +147,10 @@ function land(isNew) {
 
 // --- the reader ------------------------------------------------------------------------------------
 
-element("back").onclick = () => go(place - 1);
-element("next").onclick = () => go(place + 1);
-element("timeline").max = steps.length - 1;
-element("timeline").oninput = event => go(Number(event.target.value));
+element("back").onclick = () => go(walk(-1));
+element("next").onclick = () => go(walk(1));
+element("timeline").max = walked.length - 1;
+element("timeline").oninput = event => go(steps.indexOf(walked[event.target.value]));
 for (const name of ["digits", "doubles", "labels"]) {
   element(name).checked = display[name];
   element(name).onchange = event => {
@@ -156,9 +167,10 @@ document.addEventListener("input", ({target}) => {
   show();
 });
 document.addEventListener("click", ({target}) => {
-  const button = target.closest("button[data-pick], button[data-home]");
+  const button = target.closest("button[data-pick], button[data-home], button[data-told]");
   if (!button) return;
-  if (button.dataset.home !== undefined) state.center = [0, 0, 0];
+  if (button.dataset.told !== undefined) state.isTold = true;
+  else if (button.dataset.home !== undefined) state.center = [0, 0, 0];
   else state.picked = button.dataset.pick;
   show();
 });
@@ -166,7 +178,7 @@ document.addEventListener("keydown", event => {
   if (event.ctrlKey || event.metaKey || event.altKey || /^(INPUT|SELECT)$/.test(event.target.tagName) && event.key !== "Escape") return;
   const chapter = chapters.indexOf(steps[place].chapter), startOf = c => steps.findIndex(step => step.chapter === chapters[c]);
   const keys = {
-    ArrowLeft: () => go(place - 1), ArrowRight: () => go(place + 1), Home: () => go(0), End: () => go(steps.length - 1),
+    ArrowLeft: () => go(walk(-1)), ArrowRight: () => go(walk(1)), Home: () => go(0), End: () => go(steps.length - 1),
     PageUp: () => go(startOf(Math.max(0, chapter - 1))), PageDown: () => go(startOf(Math.min(chapters.length - 1, chapter + 1))),
     Escape: () => pick(null),
   };

@@ -10,11 +10,12 @@ const display = {digits: false, doubles: false, labels: lesson.halfspaces.length
 
 // --- numbers as text and in formulas ---------------------------------------------------------------
 
-const kShort = 15;  // characters; longer fractions are shown by their first digits unless all are asked for
+const kShort = 11;  // characters; longer fractions are shown by their first digits unless all are asked for
+const kDigits = 4;
 const isShort = text => display.digits || text.length <= kShort;
-const inText = text => isShort(text) ? text.replace("-", "\u2212") : Rational.of(text).decimal(6);
+const inText = text => isShort(text) ? text.replace("-", "\u2212") : Rational.of(text).decimal(kDigits);
 const inFormula = text => {
-  if (!isShort(text)) return `<mn>${Rational.of(text).decimal(6)}</mn>`;
+  if (!isShort(text)) return `<mn>${Rational.of(text).decimal(kDigits)}</mn>`;
   const [n, d] = text.replace("-", "").split("/");
   return (text[0] === "-" ? "<mo form='prefix'>\u2212</mo>" : "") + (d ? `<mfrac><mn>${n}</mn><mn>${d}</mn></mfrac>` : `<mn>${n}</mn>`);
 };

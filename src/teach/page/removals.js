@@ -147,6 +147,22 @@ function grownCap(removal, share) {
   return {faces, mark: "cap"};
 }
 
+// After so many removals a walk goes from one to the next: what follows is like what was seen, and its steps are reached
+// by a link, from the contents, or by their address.
+const kInDetail = 3;
+const detailLink = (k, id, text) => k < kInDetail ? "" : `<p><a href="#${id}">${text}</a></p>`;
+
+// Asked before it is told: which halfspace goes first. Any answer opens the step, and so does "tell me".
+function guessFirst(removal, picked, around) {
+  const isSure = picked !== null && surfaceAfter(0).rows().has(picked), isRight = removal.tie.includes(picked) || picked === removal.removed;
+  return {
+    say: `Before you read on: ${removal.left + 1} halfspaces, and one of them goes, the one whose removal lets the solid grow least. Which one? Pick a facet of the solid, or a point of the dual.`,
+    solid: solidScene(0, isSure ? around : {}), dual: {items: [dualItem(surfaceAfter(0), isSure ? around : {})], radius: dualReach()},
+    more: (isSure ? `<p>You picked ${tag(picked)}. ${isRight ? "<b class=\"yes\">Right.</b>" : "<b class=\"wrong\">Not so.</b>"} <button type="button" data-told="1">Why?</button></p>`
+      : "<p><button type=\"button\" data-told=\"1\">Tell me</button></p>"),
+  };
+}
+
 function removalSteps(removal, k) {
   const {removed: i, ring} = removal, at = `/removals/${k}`, id = `removal-${removal.step}`, before = removal.left + 1;
   const marks = {...mark(ring, "ring"), [i]: "chosen"};
@@ -154,13 +170,14 @@ function removalSteps(removal, k) {
   const steps = [{id, title: `${stepName(removal)}: the cheapest`, show: () => {
     const picked = pickedHalfspace(), shown = picked !== null && surfaceAfter(k).rows().has(picked) ? picked : i;
     const around = {...mark(surfaceAfter(k).ring(shown), "ring"), [shown]: "chosen"};
+    if (k === 0 && !state.isTold) return guessFirst(removal, picked, around);
     const all = candidates(k), able = all.filter(candidate => candidate.cost !== null).length, other = shown === i ? null : all.find(candidate => candidate.i === shown);
     return {
       say: `There are ${before} halfspaces, and ${able === before ? "each" : able} of them could go. Removing one lets the solid grow, and its cost is how much ${measured} that adds. ${all.length > able ? `Without ${all.length - able === 1 ? "the other one" : `one of the other ${all.length - able}`} the solid would become unbounded. ` : ""}The cheapest is ${tag(i)}, which adds ${cost(`${at}/cost`)}${
         removal.tie.length > 1 ? `. That is an exact tie of ${tags(removal.tie)}; the first in canonical order goes` : ""}.${other ? ` If ${tag(shown)} went instead, ${other.cost ? `that would add ${cost(`/evaluations/${other.e}/cost`)}` : "the solid would be unbounded"}.` : ""}`,
       solid: solidScene(k, around),
       dual: {items: [dualItem(surfaceAfter(k), around)], radius: dualReach()},
-      more: (removal.tie.length > 1 ? `<p>Why they count as equal: ${escaped(removal.tie_proof || "rational")}.</p>` : "") + candidateTable(k, removal) +
+      more: detailLink(k, `${id}-ring`, "In detail: its ring, how the hole is closed, and the cap") + (removal.tie.length > 1 ? `<p>Why they count as equal: ${escaped(removal.tie_proof || "rational")}.</p>` : "") + candidateTable(k, removal) +
         (all.length > able ? `<p>Unbounded: without such a halfspace the solid would run off to infinity. In the dual, the origin would no longer lie inside of the hull of the other points: one of the triangles that close the hole has D \u2264 0, and so no corner.</p>${other && other.cost === null ? gapTable(lesson.evaluations[other.e]) : ""}` : ""),
     };
   }}];
@@ -171,7 +188,7 @@ function removalSteps(removal, k) {
     for (const t of step.gained) closed.set(key(t), t);
     fill.push({...step, all: [...closed.values()]});
   }
-  fill.forEach((step, j) => steps.push({id: j === 0 ? `${id}-ring` : `${id}-fill-${j}`,
+  fill.forEach((step, j) => steps.push({isDetail: k >= kInDetail, id: j === 0 ? `${id}-ring` : `${id}-fill-${j}`,
     title: j === 0 ? `${stepName(removal)}: its ring` : `${stepName(removal)}: close the ring, corner ${step.corner}`, show: () => {
       const gained = new Set(step.gained.map(key)), corners = new Set(step.all.flat());
       const closing = step.all.map(t => ({corners: t, mark: gained.has(key(t)) ? "new" : "kept"}));
@@ -193,7 +210,7 @@ function removalSteps(removal, k) {
           (step.lost.length ? formula(word("height"), mo("="), mi("x"), mo("\u00b7"), sub("n", step.corner), mo("\u2212"), mi("D"), sub("w", step.corner), mo(">"), mn(0)) : "") + heights,
       };
     }}));
-  steps.push({id: `${id}-cap`, title: `${stepName(removal)}: the cap`, grows: true, show: () => ({
+  steps.push({isDetail: k >= kInDetail, id: `${id}-cap`, title: `${stepName(removal)}: the cap`, grows: true, show: () => ({
     say: `On the solid's side, plane ${tag(i)} is gone and the planes of its ring meet further out. What is added is the cap. Its volume is ${number(`${at}/cap_volume`)}, and so the solid grows from ${number(volumeBefore(k))} to ${number(`${at}/volume_after`)}.`,
     solid: solidScene(k, marks, [grownCap(removal, state.grown)]),
     dual: {items: [dualItem(surfaceAfter(k + 1), mark(ring, "ring"), Object.fromEntries(removal.triangles.map(t => [key(t.corners), "new"]))),
@@ -259,7 +276,7 @@ function removalChapter() {
 
 const wanted = {">0": x => x > 0, ">=0": x => x >= 0, "<=0": x => x <= 0, "=0": x => x === 0};
 function verificationChapter() {
-  const steps = lesson.removals.map((removal, k) => ({id: k === 0 ? "verification" : `verification-${removal.step}`, title: `Step ${removal.step}, checked`, show: () => {
+  const steps = lesson.removals.map((removal, k) => ({isDetail: k >= kInDetail, id: k === 0 ? "verification" : `verification-${removal.step}`, title: `Step ${removal.step}, checked`, show: () => {
     const failures = removal.checks.filter(check => !check.holds).length, marks = {...mark(removal.ring, "ring"), [removal.removed]: "chosen"};
     const rows = removal.checks.map((check, n) => {
       const at = `/removals/${k}/checks/${n}`;
