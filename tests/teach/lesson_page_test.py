@@ -205,6 +205,14 @@ def check_polar(path):
         page.evaluate("""(() => { const s = document.querySelector("[data-center='0']"); s.value = 5; s.dispatchEvent(new Event("input", {bubbles: true})); })()""")
         after, said = page.evaluate(numbers), page.evaluate('document.getElementById("say").innerText')
         assert before != after and "no sign and no cost has changed" in said, said
+        # The center in the picture, dragged: the dual follows, in exact numbers; nothing turns.
+        shown = lambda: page.evaluate("({c: movedCenter().map(String), turn: camera.turn, dual: document.getElementById('dual').innerHTML, more: document.getElementById('more').innerText})")  # noqa: E731
+        was, (x, y) = shown(), page.evaluate("(() => { const box = document.querySelector('#solid [data-drag]').getBoundingClientRect(); return [box.left + 4, box.top + 4]; })()")
+        for kind, by in (("mousePressed", 0), ("mouseMoved", 6), ("mouseMoved", 25), ("mouseReleased", 25)):
+            page.call("Input.dispatchMouseEvent", type=kind, x=x - by, y=y - by, button="left", buttons=1, clickCount=1)
+        now = shown()
+        assert now["c"] != was["c"] and now["turn"] == was["turn"] and now["dual"] != was["dual"], (was["c"], now["c"])
+        assert all(text in now["more"] for text in now["c"]), (now["c"], now["more"])
         press(page, "Escape")
         said = page.evaluate('document.getElementById("say").innerText')
         assert "Halfspace 6 is a facet" in said, said  # what the step is about if nothing is picked

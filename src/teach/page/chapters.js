@@ -5,7 +5,7 @@
 "use strict";
 
 const chapters = [];
-const state = {picked: null, center: [0, 0, 0], grown: 1, magnified: null, isTold: false};  // what a reader changes
+const state = {picked: null, center: [0, 0, 0], drawnCenter: [0, 0, 0], grown: 1, magnified: null, isTold: false};  // what a reader changes
 const pickedHalfspace = () => state.picked?.[0] === "h" ? Number(state.picked.slice(1)) : null;
 const pickedTriangle = () => state.picked?.[0] === "t" ? state.picked.slice(1).split(",").map(Number) : null;
 const first = lesson.topology ? () => surfaceAfter(0) : null;
@@ -204,11 +204,11 @@ function polarChapter() {
     const ray = i === null ? null : drawnDual(i, shift), foot = i === null ? null : footOf(i, shift);
     const dual = [dualItem(first(), marks, triangles, shift), {lines: ray ? [{from: [0, 0, 0], to: ray, mark: "normal"}] : [], dots: [{at: [0, 0, 0], mark: "center", label: "origin"}]}];
     return {say, solid: {items: [{...solidItem(first(), marks), mark: "glass"}, {lines: foot ? [{from: shift, to: foot, mark: "normal"}] : [],
-      dots: [{at: shift, mark: "center", label: "c"}, ...(at ? [{at, mark: "chosen", size: 6}] : [])]}], note: foot ? `From the center to the plane, at right angles${isStretched ? " before the axes were stretched" : ""}.` : "The vertex is marked."},
+      dots: [{at: shift, mark: "center", label: "c", size: 6, drag: "center"}, ...(at ? [{at, mark: "chosen", size: 6}] : [])]}], note: foot ? `From the center to the plane, at right angles${isStretched ? " before the axes were stretched" : ""}.` : "The vertex is marked."},
       dual: {items: dual, radius: radiusOf(dual), note: ray ? "The same direction, at distance 1 / (distance of the plane)." : "The face of that vertex."}, more: details(i, t, c)};
   };
   const details = (i, t, c) => {
-    const sliders = `<fieldset><legend>Move the center</legend>${["x", "y", "z"].map((axis, k) =>
+    const sliders = `<fieldset><legend>Move the center, or drag c in the picture</legend>${["x", "y", "z"].map((axis, k) =>
       `<label>${axis} <input type="range" data-center="${k}" min="-24" max="24" step="1" value="${state.center[k]}"></label>`).join(" ")} <button type="button" data-home>reset</button>
       <p>c = (${c.map(computed).join(", ")})</p></fieldset>`;
     const options = present().map(j => `<option value="h${j}"${j === i ? " selected" : ""}>halfspace ${j}</option>`).join("") +

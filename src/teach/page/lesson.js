@@ -27,7 +27,7 @@ const placeOnWalk = () => steps.slice(0, place + 1).filter(step => !step.isDetai
 
 // --- what is shown ---------------------------------------------------------------------------------
 
-const panes = {solid: new Pane(element("solid"), pick), dual: new Pane(element("dual"), pick)};
+const panes = {solid: new Pane(element("solid"), pick, dragCenter), dual: new Pane(element("dual"), pick, dragCenter)};
 
 function pick(what) {
   state.picked = what;
@@ -109,6 +109,16 @@ function moveCenter(axis, to) {
   if (!isInside()) state.center = [0, 0, 0];
 }
 
+// The center follows the hand on its grid, so that all numbers stay exact.
+function dragCenter(_, by) {
+  const step = centerStep().toNumber();
+  by.forEach((x, k) => {
+    state.drawnCenter[k] += x / (step * Rational.of(lesson.frame.scale[k]).toNumber());
+    moveCenter(k, Math.max(-24, Math.min(24, Math.round(state.drawnCenter[k]))));
+  });
+  show();
+}
+
 // --- contents --------------------------------------------------------------------------------------
 
 function entryOf(step) {
@@ -159,7 +169,10 @@ for (const name of ["digits", "doubles", "labels"]) {
   };
 }
 document.addEventListener("input", ({target}) => {
-  if (target.dataset.center !== undefined) moveCenter(target.dataset.center, Number(target.value));
+  if (target.dataset.center !== undefined) {
+    moveCenter(target.dataset.center, Number(target.value));
+    state.drawnCenter = [...state.center];
+  }
   else if (target.dataset.grow !== undefined) state.grown = target.value / 100;
   else if (target.dataset.magnify !== undefined) state.magnified = (80 - target.value) / 10;
   else if (target.dataset.picker !== undefined) state.picked = target.value || null;
@@ -170,7 +183,7 @@ document.addEventListener("click", ({target}) => {
   const button = target.closest("button[data-pick], button[data-home], button[data-told]");
   if (!button) return;
   if (button.dataset.told !== undefined) state.isTold = true;
-  else if (button.dataset.home !== undefined) state.center = [0, 0, 0];
+  else if (button.dataset.home !== undefined) [state.center, state.drawnCenter] = [[0, 0, 0], [0, 0, 0]];
   else state.picked = button.dataset.pick;
   show();
 });

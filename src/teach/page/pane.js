@@ -22,15 +22,16 @@ const times = (row, p) => row[0] * p[0] + row[1] * p[1] + row[2] * p[2];
 const escaped = text => String(text).replace(/[&<>"]/g, c => ({"&": "&amp;", "<": "&lt;", ">": "&gt;", '"': "&quot;"})[c]);
 
 class Pane {
-  // What is picked goes to `pick` as the text of data-pick.
-  constructor(figure, pick) {
+  // What is picked goes to `pick` as the text of data-pick; a dot that can be dragged, to `drag` with the way that it
+  // goes in space, parallel to the screen.
+  constructor(figure, pick, drag) {
     this.svg = figure.querySelector("svg");
     this.items = [];
     this.zoom = 1;
     this.radius = 1;
     this.unit = null;
     camera.listeners.push(() => this.draw());
-    this.follow(pick);
+    this.follow(pick, drag);
   }
 
   // How long a drawn unit is in those of the input, for a scale bar.
@@ -40,7 +41,7 @@ class Pane {
 
   // What is to be seen, and the radius about the origin that must fit. Items are, from the outside to the inside:
   //   {faces: [{points, pick, mark, label}], mark}  a convex body, corners counter-clockwise from outside
-  //   {dots: [{at, pick, mark, label}]}, {lines: [{from, to, mark}]}, {ball: {at, radii}, mark}
+  //   {dots: [{at, pick, drag, mark, label}]}, {lines: [{from, to, mark}]}, {ball: {at, radii}, mark}
   show(items, radius) {
     this.items = items;
     this.radius = radius || 1;
@@ -66,7 +67,7 @@ class Pane {
     const flat = p => [scale * times(right, p), -scale * times(up, p)];
     const text = ([x, y]) => `${x.toFixed(2)} ${y.toFixed(2)}`;
     const attributes = (kind, part) => `class="${kind} ${part.mark || ""}"` +
-      (part.pick === undefined ? "" : ` data-pick="${escaped(part.pick)}"`);
+      (part.pick === undefined ? "" : ` data-pick="${escaped(part.pick)}"`) + (part.drag === undefined ? "" : ` data-drag="${escaped(part.drag)}"`);
     const labels = [], count = this.items.reduce((sum, item) => sum + (item.faces || []).length, 0);
     this.svg.classList.toggle("fine", count > 150);
     const label = (part, places) => {
@@ -145,17 +146,23 @@ class Pane {
       ` transform="translate(${x.toFixed(2)} ${y.toFixed(2)}) rotate(${(angle * 180 / Math.PI).toFixed(2)})"/>`;
   }
 
+  // A way on the screen, in space.
+  inSpace(right, down) {
+    const rows = camera.rows(), unit = this.svg.getScreenCTM().a * 180 * this.zoom / this.radius;
+    return [0, 1, 2].map(k => (rows[0][k] * right - rows[1][k] * down) / unit);
+  }
+
   // One finger or the mouse turns, two fingers zoom; a click that does not move picks.
-  follow(pick) {
+  follow(pick, drag) {
     const fingers = new Map();
-    let moved = 0, apart = 0;
+    let moved = 0, apart = 0, dragged = null;
     const span = () => {
       const [a, b] = [...fingers.values()];
       return Math.hypot(a[0] - b[0], a[1] - b[1]);
     };
     this.svg.onpointerdown = event => {
       fingers.set(event.pointerId, [event.clientX, event.clientY]);
-      if (fingers.size === 1) moved = 0;
+      if (fingers.size === 1) [moved, dragged] = [0, event.target.dataset.drag ?? null];
       if (fingers.size === 2) apart = span();
     };
     this.svg.onpointermove = event => {
@@ -169,6 +176,8 @@ class Pane {
       if (fingers.size === 2) {
         this.scale(span() / apart);
         apart = span();
+      } else if (dragged !== null) {
+        drag(dragged, this.inSpace(...by));
       } else if (fingers.size === 1) {
         camera.move(by[0] / 150, by[1] / 150);
       }
