@@ -96,11 +96,14 @@ def missing_functions(text, document):
 
 
 def make_lessons(program, folder):
-    """The records of the lessons, by name, made as `dev` makes them."""
+    """The records of the lessons, by name, made as `dev` makes them; of those in the plane, which have none, nothing."""
     made = {}
     for call in re.findall(r"^  \$program (.*)$", (ROOT / "dev").read_text(encoding="utf-8"), re.MULTILINE):
-        call = call.replace("$folder", str(folder)).replace(".html", ".json")
+        call = call.replace("$folder", str(folder))
+        if "--plane" not in call:
+            call = call.replace(".html", ".json")
         subprocess.run([program, *call.split()], cwd=ROOT, check=True, timeout=300, stdout=subprocess.DEVNULL)
+    made.update((path.stem, None) for path in folder.glob("*.html"))
     for path in sorted(folder.glob("*.json")):
         made[path.stem] = json.loads(path.read_text(encoding="utf-8"))
     return made
