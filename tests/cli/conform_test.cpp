@@ -10,6 +10,7 @@
 #include "json_schema.hpp"
 #include "process.hpp"
 #include "program_json.hpp"
+#include "sweep.hpp"
 
 using nlohmann::json;
 using support::bytes_of;
@@ -53,7 +54,7 @@ using Set = std::set<std::string>;
 
 }  // namespace
 
-TEST_CASE("conform: each engine of ours conforms, whatever it writes") {
+TEST_CASE("conform: each engine of ours conforms, whatever it writes" * sweep) {
   struct Case {
     const char* engine;
     const char* options;
@@ -178,7 +179,7 @@ TEST_CASE("conform: the report is the same for any number of jobs (#13)") {
   CHECK(report_of("1") == report_of("3"));
 }
 
-TEST_CASE("conform: hulls are asked of programs that are no simplifiers (#13)") {
+TEST_CASE("conform: hulls are asked of programs that are no simplifiers (#13)" * sweep) {
   const std::string program = std::string("'") + std::getenv("CONVEXACT_WRONG_PROGRAM") + "' ";
   const std::string hull = program + "hull {input} 0 {output}";
   const auto run = [&](const std::string& options, const std::string& words) {
@@ -324,7 +325,7 @@ TEST_CASE("conform: the shipped vectors are found without being named") {
   CHECK(run_program("conform --level 1 --flag ties -- false {input} {faces} {output}").exit == 1);
 }
 
-TEST_CASE("conform: what is left without the vectors of a flag") {
+TEST_CASE("conform: what is left without the vectors of a flag" * sweep) {
   const json all = conform_wrong("cut-off", "--level 1", 1);
   const json left = conform_wrong("cut-off", "--level 1 --skip-flag ties --skip-flag valence", 1);
   std::size_t expected = 0;

@@ -6,10 +6,11 @@
 #include <nlohmann/json.hpp>
 
 #include "process.hpp"
+#include "sweep.hpp"
 
 using nlohmann::json;
 
-TEST_CASE("diff: the engines agree on every shipped mesh at 18 faces") {
+TEST_CASE("diff: the engines agree on every shipped mesh at 18 faces" * sweep) {
   const std::string data = std::getenv("CONVEXACT_TEST_DATA");
   const auto ran = support::run_program("diff --json --engines exact,filtered --faces 18 " + data +
                                         "/spot.obj " + data + "/teapot.obj " + data + "/bunny.obj");
@@ -24,7 +25,8 @@ TEST_CASE("diff: the engines agree on every shipped mesh at 18 faces") {
   }
 }
 
-TEST_CASE("diff: every step of the float engine is explained on every shipped mesh at 4 faces") {
+TEST_CASE("diff: every step of the float engine is explained on every shipped mesh at 4 faces" *
+          sweep) {
   const std::string data = std::getenv("CONVEXACT_TEST_DATA");
   const auto ran = support::run_program("diff --json --engines filtered,float --faces 4 " + data +
                                         "/spot.obj " + data + "/teapot.obj " + data + "/bunny.obj");

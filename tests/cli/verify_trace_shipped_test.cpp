@@ -5,12 +5,14 @@
 #include <nlohmann/json.hpp>
 
 #include "process.hpp"
+#include "sweep.hpp"
 
 using nlohmann::json;
 using support::run_program;
 using support::ScratchFolder;
 
-TEST_CASE("verify --trace: our whole runs on the shipped meshes are greedy, every claim holds") {
+TEST_CASE("verify --trace: our whole runs on the shipped meshes are greedy, every claim holds" *
+          sweep) {
   const ScratchFolder scratch;
   for (const char* name : {"bunny", "spot", "teapot"}) {
     CAPTURE(name);

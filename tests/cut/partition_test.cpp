@@ -178,7 +178,8 @@ std::set<Cell> random_cells(std::mt19937_64& random) {
 
 }  // namespace
 
-TEST_CASE("cut: solids of cells take about as many leaves as they need, and nothing beyond") {
+TEST_CASE("cut: solids of cells take about as many leaves as they need, and nothing beyond" *
+          sweep) {
   std::set<Cell> ring = block_without(3, {});
   std::erase_if(ring,
                 [](const Cell& cell) { return cell[2] != 0 || (cell[0] == 1 && cell[1] == 1); });
