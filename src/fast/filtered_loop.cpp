@@ -57,6 +57,7 @@ FilteredLoop::FilteredLoop(const FastDual& dual, const SimplifyOptions& options,
       upper_(dual.size()),
       stale_(dual.size(), false),
       terms_(options.cost == CostMeasure::Volume ? 0 : dual.size()),
+      tie_(dual.size()),
       check_(dual),
       left_(dual.size()) {
   if (options.faces < 4) throw Error(ErrorCode::InvalidArgument, "a solid has at least 4 faces");
@@ -131,13 +132,20 @@ bool FilteredLoop::is_bounded(HalfspaceId i) {
 
 // For a fresh entry. The lower bound in the queue is still valid, and the higher of the two is
 // better.
-void FilteredLoop::set_bounds(HalfspaceId i, double lower, double upper) {
+void FilteredLoop::set_bounds(HalfspaceId i, const DoubleDouble& lower, const DoubleDouble& upper) {
   upper_[i.index()] = upper;
   if (lower > queue_.key(i)) queue_.update(i, lower);
 }
 
+Interval<double> FilteredLoop::bounds_in_doubles(HalfspaceId i) const {
+  const DoubleDouble &lower = queue_.key(i), &upper = upper_[i.index()];
+  return {lower.lo() < 0 ? next_below(lower.hi()) : lower.hi(),
+          upper.lo() > 0 ? next_above(upper.hi()) : upper.hi()};
+}
+
 void FilteredLoop::drop(HalfspaceId i) {
   queue_.erase(i);
+  tie_.drop(i);
   ties_.forget(i);
 }
 
@@ -163,13 +171,53 @@ void FilteredLoop::refine(HalfspaceId i) {
   set_bounds(i, lower, upper);
 }
 
-// The cheapest of all, first in canonical order where several are; candidates_ is the tie.
 std::optional<HalfspaceId> FilteredLoop::choose() {
+  if (is_tie_left()) {
+    const HalfspaceId first = tie_.first();
+    if (!are_bounds_close(first)) refine(first);
+    evidence_ = {};
+    if (tie_.size() > 1) {
+      evidence_.proof = tie_.is_one_class() ? TieProof::Congruent : TieProof::EqualRationals;
+    }
+    return first;
+  }
+  const std::optional<HalfspaceId> choice = choose_from_queue();
+  remember_tie();
+  return choice;
+}
+
+// Of volumes: whether some of the last tie are left, and nothing that has changed since costs as
+// little; in doubt not.
+bool FilteredLoop::is_tie_left() {
+  if (options_.cost != CostMeasure::Volume || tie_.size() == 0) return false;
+  const DoubleDouble least = upper_[tie_.first().index()];
+  for (const HalfspaceId i : changed_) {
+    if (!queue_.contains(i) || tie_.contains(i) || queue_.key(i) > least) continue;
+    if (stale_[i.index()]) evaluate(i);
+    if (queue_.contains(i) && !(queue_.key(i) > least)) return false;
+  }
+  changed_.clear();
+  return true;
+}
+
+// candidates_ are the tie.
+void FilteredLoop::remember_tie() {
+  classes_.clear();
+  if (candidates_.size() > 1) {
+    for (const HalfspaceId i : candidates_) classes_.push_back(ties_.class_of(i));
+  }
+  tie_.assign(candidates_, classes_);
+  changed_.clear();
+}
+
+// The cheapest of all, first in canonical order where several are; candidates_ is the tie.
+std::optional<HalfspaceId> FilteredLoop::choose_from_queue() {
   evidence_ = {};
+  candidates_.clear();
   for (;;) {
     if (queue_.empty()) return {};
     if (!tighten_top()) continue;
-    queue_.collect(upper_[queue_.top().index()], candidates_);
+    if (!collect_candidates()) continue;
     if (candidates_.size() == 1) return candidates_[0];
     if (!refresh_candidates()) continue;
     keep_lowest_bounds();
@@ -183,7 +231,7 @@ std::optional<HalfspaceId> FilteredLoop::choose() {
 // An exact cost is close enough, even if its bounds are wide.
 bool FilteredLoop::are_bounds_close(HalfspaceId i) const {
   constexpr double kClose = 1 + 0x1p-10;
-  return upper_[i.index()] <= kClose * queue_.key(i);
+  return upper_[i.index()].hi() <= kClose * queue_.key(i).hi();
 }
 
 // Whether the top is fresh and its bounds are close; otherwise one step is made towards that.
@@ -200,6 +248,23 @@ bool FilteredLoop::tighten_top() {
   return is_exact && queue_.top() == top;  // its lower bound may have risen only now
 }
 
+// Those that may cost as little as the top. Of volumes that are nearly equal, as those of a
+// cylinder's sides, a wide bound would collect thousands at every step; so then the top's bounds
+// are made narrower first, which is paid once, and false is returned.
+bool FilteredLoop::collect_candidates() {
+  constexpr std::size_t kMany = 32;
+  const HalfspaceId top = queue_.top();
+  const DoubleDouble most = upper_[top.index()];
+  if (options_.cost == CostMeasure::Volume && !ties_.is_exact(top)) {
+    queue_.collect(most, candidates_, kMany);
+    if (candidates_.size() <= kMany) return true;
+    refine(top);
+    return false;
+  }
+  queue_.collect(most, candidates_);
+  return true;
+}
+
 // Whether all candidates are fresh already.
 bool FilteredLoop::refresh_candidates() {
   bool all_fresh = true;
@@ -212,7 +277,7 @@ bool FilteredLoop::refresh_candidates() {
 }
 
 void FilteredLoop::keep_lowest_bounds() {
-  double best = std::numeric_limits<double>::infinity();
+  DoubleDouble best = upper_[candidates_[0].index()];
   for (const HalfspaceId i : candidates_) best = std::min(best, upper_[i.index()]);
   std::erase_if(candidates_, [&](HalfspaceId i) { return queue_.key(i) > best; });
 }
@@ -230,7 +295,12 @@ bool FilteredLoop::refine_candidates() {
 
 // Reduces refined candidates to the tie, in canonical order.
 void FilteredLoop::keep_cheapest() {
+  compared_ = candidates_;
   evidence_ = ties_.keep_cheapest(candidates_, options_.compare, options_.watch);
+  // What was computed exactly is told apart from now on.
+  for (const HalfspaceId i : compared_) {
+    if (ties_.is_exact(i)) refine(i);
+  }
   std::sort(candidates_.begin(), candidates_.end(),
             [&](HalfspaceId a, HalfspaceId b) { return dual_.precedes(a, b); });
   if (!are_bounds_close(candidates_[0])) refine(candidates_[0]);
@@ -238,9 +308,9 @@ void FilteredLoop::keep_cheapest() {
 
 FastStep FilteredLoop::describe(HalfspaceId i) const {
   const Interval<double> multiple = cost_multiple(options_.cost);
-  return {i, static_cast<std::uint32_t>(candidates_.size()),
-          next_below(queue_.key(i) / multiple.upper),
-          next_above(upper_[i.index()] / multiple.lower)};
+  const auto [lower, upper] = bounds_in_doubles(i);
+  return {i, static_cast<std::uint32_t>(tie_.size()), next_below(lower / multiple.upper),
+          next_above(upper / multiple.lower)};
 }
 
 // The amount that the step adds to the measure whose growth is limited.
@@ -285,7 +355,7 @@ Step FilteredLoop::record(HalfspaceId i) {
   Step step;
   step.removed = i;
   step.cost = ties_.exact_cost(i);
-  step.tie = candidates_;
+  step.tie = tie_.list();
   step.tie_evidence = evidence_;
   step.ring = cap_.ring().vertices;
   list_new_triangles();
@@ -309,6 +379,8 @@ void FilteredLoop::remove(HalfspaceId i) {
   for (const HalfspaceId r : cap_.ring().vertices) {
     stale_[r.index()] = true;
     ties_.forget(r);
+    tie_.drop(r);
+    changed_.push_back(r);
     if (!terms_.empty() && queue_.contains(r)) {
       queue_.update(r, forget_terms_of(i, terms_[r.index()]));
     }

@@ -11,7 +11,9 @@
 #include "fast/engines.hpp"
 #include "fast/keyed_queue.hpp"
 #include "fast/mesh.hpp"
+#include "fast/tie_set.hpp"
 #include "fast/ties.hpp"
+#include "number/double_double.hpp"
 
 namespace convexact {
 
@@ -84,7 +86,7 @@ class FilteredLoop {
   /// The cheapest, first in canonical order; none if every removal is unbounded.
   std::optional<HalfspaceId> choose();
   /// After choose(): all that cost as little, in canonical order.
-  const std::vector<HalfspaceId>& tie() const { return candidates_; }
+  std::vector<HalfspaceId> tie() const { return tie_.list(); }
   /// After choose(): why these count as equal; empty for a single one.
   const TieEvidence& tie_evidence() const { return evidence_; }
   /// Whether the removal of i, which is still there and not to be kept, is bounded.
@@ -97,15 +99,20 @@ class FilteredLoop {
  private:
   void evaluate(HalfspaceId i);
   void refine(HalfspaceId i);
-  void set_bounds(HalfspaceId i, double lower, double upper);
+  void set_bounds(HalfspaceId i, const DoubleDouble& lower, const DoubleDouble& upper);
+  Interval<double> bounds_in_doubles(HalfspaceId i) const;
   void drop(HalfspaceId i);
 
   bool are_bounds_close(HalfspaceId i) const;
   bool tighten_top();
+  bool collect_candidates();
   bool refresh_candidates();
   bool refine_candidates();
   void keep_lowest_bounds();
   void keep_cheapest();
+  std::optional<HalfspaceId> choose_from_queue();
+  void remember_tie();
+  bool is_tie_left();
 
   FastStep describe(HalfspaceId i) const;
   Step record(HalfspaceId i);
@@ -120,12 +127,15 @@ class FilteredLoop {
   FilteredCap cap_;
   std::optional<FilteredCap> limited_cap_;  // if the growth of another measure is limited
   TieBreaker ties_;
-  KeyedQueue<double> queue_;
-  std::vector<double> upper_;
+  KeyedQueue<DoubleDouble> queue_;  // mirror images and facets of cylinders agree in doubles
+  std::vector<DoubleDouble> upper_;
   std::vector<bool> stale_;
-  std::vector<std::vector<LastingTerm>> terms_;  // empty if the measure is the volume
-  TieEvidence evidence_;                         // of the tie
-  std::vector<HalfspaceId> candidates_;          // after choose(): the tie
+  std::vector<std::vector<LastingTerm>> terms_;     // empty if the measure is the volume
+  std::vector<HalfspaceId> candidates_, compared_;  // while the cheapest is sought
+  std::vector<TieSet::Class> classes_;              // likewise
+  TieSet tie_;                                      // after choose()
+  TieEvidence evidence_;                            // of the tie
+  std::vector<HalfspaceId> changed_;                // rings of removals since the last choice
   StepCheck check_;
   std::vector<HalfspaceId> across_;
   std::vector<DualTriangle> new_triangles_;

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <map>
 #include <utility>
 
 #include "fast/signs.hpp"
@@ -89,7 +91,7 @@ bool are_congruent(const FastDual& dual, const FacetOutline& a, const FacetOutli
   return false;
 }
 
-Interval<double> TieBreaker::refine(HalfspaceId i) {
+Interval<DoubleDouble> TieBreaker::refine(HalfspaceId i) {
   if (is_refined(i)) {
     (void)exact_cost(i);
   } else {
@@ -98,9 +100,7 @@ Interval<double> TieBreaker::refine(HalfspaceId i) {
     ++counts_.extended;
   }
   const Refined& refined = refined_.at(i);
-  const double lower = refined.bounds.lower.hi(), upper = refined.bounds.upper.hi();
-  if (refined.is_exact) return {lower, upper};
-  return {next_below(lower), next_above(upper)};
+  return {refined.bounds.lower, refined.bounds.upper};
 }
 
 bool TieBreaker::is_exact(HalfspaceId i) const {
@@ -110,11 +110,18 @@ bool TieBreaker::is_exact(HalfspaceId i) const {
 
 namespace {
 
+Interval<DoubleDouble> enclosed(const Rational& x) {
+  const double near = to_double(x, Rounding::Nearest);
+  if (!std::isfinite(near)) return {to_double(x, Rounding::Down), to_double(x, Rounding::Up)};
+  const Rational rest = x - to_rational(near);
+  return {DoubleDouble(fast_two_sum(near, to_double(rest, Rounding::Down))),
+          DoubleDouble(fast_two_sum(near, to_double(rest, Rounding::Up)))};
+}
+
 // Bounds of the multiple of the cost that FilteredCap bounds.
-Interval<double> bounds_of(const Cost& cost, long exponent) {
+Interval<DoubleDouble> bounds_of(const Cost& cost, long exponent) {
   if (cost.measure() == CostMeasure::Volume) {
-    const Rational scaled = scale_by_power_of_two(cost.rational() * 6, -exponent);
-    return {to_double(scaled, Rounding::Down), to_double(scaled, Rounding::Up)};
+    return enclosed(scale_by_power_of_two(cost.rational() * 6, -exponent));
   }
   const Interval<double> value = scaled_enclosure(cost, exponent),
                          multiple = cost_multiple(cost.measure());
@@ -158,8 +165,9 @@ TieEvidence TieBreaker::keep_cheapest(std::vector<HalfspaceId>& candidates,
   return keep_cheapest_class(candidates, limits, watch);
 }
 
-// A cost that is not proven to differ from the least one counts as a tie. (That is no equivalence:
-// mean widths may be too close to distinguish, see CompareLimits.)
+// What proves that the classes cost the same proves the tie. A cost that is not proven to differ
+// from the least one counts as a tie. (That is no equivalence: mean widths may be too close to
+// distinguish, see CompareLimits.)
 TieEvidence TieBreaker::keep_cheapest_class(std::vector<HalfspaceId>& candidates,
                                             const CompareLimits& limits, const Watch& watch) {
   const auto are_congruent_now = [&](HalfspaceId i, HalfspaceId j) {
@@ -174,38 +182,47 @@ TieEvidence TieBreaker::keep_cheapest_class(std::vector<HalfspaceId>& candidates
   TieEvidence evidence;
   std::erase_if(candidates, [&](HalfspaceId i) {
     if (i == least) return false;
-    if (are_congruent_now(i, least)) {
-      evidence.add({TieProof::Congruent, 0});
-      return false;
-    }
+    if (are_congruent_now(i, least)) return false;
     const Ordering comparison = compare(exact_cost(i), exact_cost(least), limits, watch);
     if (comparison.order == Order::Greater) return true;
     evidence.add({comparison.tie_proof, comparison.bits});
     return false;
   });
+  if (candidates.size() > 1 && !evidence.proof) return {TieProof::Congruent, 0};
   return evidence;
+}
+
+TieBreaker::Signature TieBreaker::signature_of(HalfspaceId i) const {
+  const IntegerVector3 normal = dual_.exact(i).normal();
+  Signature signature;
+  for (int k = 0; k < 3; ++k) signature[k] = std::abs(normal[k].convert_to<double>());
+  std::sort(signature.begin(), signature.end());
+  return signature;
 }
 
 // Whether the tie is proven without computing a cost. Sorts all candidates into classes.
 bool TieBreaker::are_all_congruent(const std::vector<HalfspaceId>& candidates) {
-  std::vector<std::shared_ptr<CostClass>> classes;
+  std::map<Signature, std::vector<std::shared_ptr<CostClass>>> classes;
+  std::size_t count = 0;
   for (const HalfspaceId i : candidates) {
+    std::vector<std::shared_ptr<CostClass>>& alike = classes[signature_of(i)];
     std::shared_ptr<CostClass>& its_class = refined_.at(i).cost_class;
     if (its_class == nullptr) {
       its_class = new_class(i);
-      const auto same = std::find_if(classes.begin(), classes.end(), [&](const auto& known) {
+      const auto same = std::find_if(alike.begin(), alike.end(), [&](const auto& known) {
         return are_congruent(dual_, known->outline, its_class->outline);
       });
-      if (same != classes.end()) {
+      if (same != alike.end()) {
         its_class = *same;
         ++counts_.congruent;
       }
     }
-    if (std::find(classes.begin(), classes.end(), its_class) == classes.end()) {
-      classes.push_back(its_class);
+    if (std::find(alike.begin(), alike.end(), its_class) == alike.end()) {
+      alike.push_back(its_class);
+      ++count;
     }
   }
-  return classes.size() == 1;
+  return count == 1;
 }
 
 }  // namespace convexact

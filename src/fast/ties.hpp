@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // ties.hpp - ranks the caps that doubles cannot distinguish.
 #pragma once
+#include <array>
 #include <memory>
 #include <optional>
 #include <unordered_map>
@@ -29,7 +30,7 @@ class TieBreaker {
 
   /// Encloses the cost of i, in units of FilteredCap's bounds, by the next better arithmetic, if
   /// there is one.
-  Interval<double> refine(HalfspaceId i);
+  Interval<DoubleDouble> refine(HalfspaceId i);
   bool is_refined(HalfspaceId i) const { return refined_.contains(i); }
   bool is_exact(HalfspaceId i) const;
   /// Computed at the first call, for all caps that are known to be congruent.
@@ -37,6 +38,9 @@ class TieBreaker {
   /// Reduces refined candidates to those of minimal cost: the tie. @return  What proves it.
   TieEvidence keep_cheapest(std::vector<HalfspaceId>& candidates, const CompareLimits& limits,
                             const Watch& watch);
+  /// Of a candidate that keep_cheapest() left among others: the same for caps that are known to be
+  /// congruent.
+  const void* class_of(HalfspaceId i) const { return refined_.at(i).cost_class.get(); }
   /// The ring of i has changed, or is gone.
   void forget(HalfspaceId i) { refined_.erase(i); }
 
@@ -46,6 +50,8 @@ class TieBreaker {
     FacetOutline outline;  // of one of them, as it was when the class was made
     std::optional<Cost> cost;
   };
+  // The same for congruent caps: the coordinates of the facet's normal without signs, ascending.
+  using Signature = std::array<double, 3>;
   struct Refined {
     CostBounds<DoubleDouble> bounds;
     std::shared_ptr<CostClass> cost_class;  // null: not computed yet
@@ -53,6 +59,7 @@ class TieBreaker {
   };
 
   bool are_all_congruent(const std::vector<HalfspaceId>& candidates);
+  Signature signature_of(HalfspaceId i) const;
   std::shared_ptr<CostClass> new_class(HalfspaceId i);
   TieEvidence keep_cheapest_class(std::vector<HalfspaceId>& candidates, const CompareLimits& limits,
                                   const Watch& watch);

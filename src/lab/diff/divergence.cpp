@@ -197,7 +197,7 @@ void follow(const DualHull& dual, const RationalPoint& center, const Run& run,
     const HalfspaceId chosen = run.steps[step].removed;
     const std::optional<HalfspaceId> cheapest = loop.choose();
     if (cheapest != chosen) {
-      const std::vector<HalfspaceId>& tie = loop.tie();
+      const std::vector<HalfspaceId> tie = loop.tie();
       const bool is_tied = cheapest && std::find(tie.begin(), tie.end(), chosen) != tie.end();
       Divergence found = is_tied ? choices_at(step, dual.halfspaces.size(), cheapest, chosen)
                                  : judge_choices(run, center, step, cheapest, chosen, options);
