@@ -67,7 +67,7 @@ FAULTS = [
     (TIE, 'fast/keep_cheapest', 'return dual_.precedes(a, b);', 'return dual_.precedes(b, a);', _AGREE),
     (TIE, 'fast/keep_cheapest_class', 'if (comparison.order == Order::Greater) return true;', 'if (comparison.order != Order::Less) return true;', _AGREE),
     (TIE, 'fast/keep_cheapest', 'return refined_.at(i).bounds.lower > best;', 'return !(refined_.at(i).bounds.lower < best);', _AGREE),
-    (TIE, 'fast/are_all_congruent', 'return classes.size() == 1;', 'return true;', _AGREE),
+    (TIE, 'fast/are_all_congruent', 'return count == 1;', 'return true;', _AGREE),
     (TIE, 'fast/precedes', 'return exact(i) < exact(j);', 'return i < j;', _AGREE),
     (TIE, 'fast/are_congruent', 'symmetry.is_reflection() ? k - 1 : 1', '1', _AGREE),
     (TIE, 'fast/are_congruent', 'm == k && differ_by_one_translation(pairs)', 'm == k', _AGREE),
@@ -124,8 +124,8 @@ FAULTS = [
      'mpfr_add(high_.data(), high_.data(), other.high_.data(), MPFR_RNDN);', 'number'),
     (PUSH, 'number/sqrt', 'mpfr_sqrt(result.high_.data(), x.high_.data(), MPFR_RNDU)',
      'mpfr_sqrt(result.high_.data(), x.high_.data(), MPFR_RNDN)', 'number'),
-    (PUSH, 'fast/refine', 'return {next_below(lower), next_above(upper)};', 'return {lower, upper};', _AGREE),
-    (PUSH, 'fast/describe', 'next_above(upper_[i.index()] / multiple.lower)', 'upper_[i.index()] / multiple.lower', _AGREE),
+    (PUSH, 'fast/enclosed', 'DoubleDouble(fast_two_sum(near, to_double(rest, Rounding::Up)))', 'DoubleDouble(near)', _AGREE),
+    (PUSH, 'fast/describe', 'next_above(upper / multiple.lower)', 'upper / multiple.lower', _AGREE),
 
     # Verifications.
     (SKIP, 'simplify/check', '  state_->check_ring(step);\n', '', 'simplify'),
@@ -163,7 +163,9 @@ FAULTS = [
     # Ends of costs that no longer hold.
     (STALE, 'fast/FilteredLoop::remove', '    stale_[r.index()] = true;\n', '', _AGREE),
     (STALE, 'fast/remove', '    ties_.forget(r);\n', '', _AGREE),
-    (STALE, 'fast/choose', 'if (!refresh_candidates()) continue;', '', _AGREE),
+    (STALE, 'fast/choose_from_queue', 'if (!refresh_candidates()) continue;', '', _AGREE),
+    (STALE, 'fast/is_tie_left', 'if (queue_.contains(i) && !(queue_.key(i) > least)) return false;', '', _AGREE),
+    (STALE, 'fast/remove', '    tie_.drop(r);\n', '', _AGREE),
     (STALE, 'fast/tighten_top', 'if (stale_[top.index()]) {', 'if (false) {', _AGREE),
     (STALE, 'fast/set_bounds', '  upper_[i.index()] = upper;\n', '  if (upper < upper_[i.index()] || upper_[i.index()] == 0) upper_[i.index()] = upper;\n', _AGREE),
     (STALE, 'fast/remove', '  cap_.invalidate();\n', '', _AGREE),
