@@ -79,7 +79,7 @@ function hullChapter({of, triangles, conflicts, inside, insertions, facets, rows
     say: `No point waits any more, so this is the hull: ${many(last.surface.size, "triangle")}. Triangles in one plane are merged, which leaves ${many(facets.length, "facet")}. Each facet lies on the boundary of one halfspace, and from here on numbers name these halfspaces, not points.`,
     ...panes(scene(states.length - 1, {}, {})),
     more: (isDual ? "" : "<p>(n1, n2, n3, d) stands for the halfspace of all points x with n\u00b7x + d \u2264 0, where n = (n1, n2, n3) points outward.</p>") + table(isDual ? ["vertex", "corners: halfspaces by row"] : ["halfspace", "corners", "(n1, n2, n3, d)"],
-      facets.map((facet, f) => row(isDual ? [tag(f), tags(facet)] : [tag(f), tags(facet), planeText(f)])), "Facets"),
+      facets.map((facet, f) => row(isDual ? [tag(f), tags(facet)] : [tag(f), tags(facet), planeText(f)])), "Facets") + (isDual ? "" : scaledNote(facets.map((_, f) => f))),
   })});
   return steps;
 }
@@ -179,7 +179,7 @@ function depthOfCenter() {  // a length that the center may move, if there is no
   return String(depths.reduce((least, x) => x.compare(least) < 0 ? x : least));
 }
 const movedCenter = () => vector(lesson.frame.center).map((x, k) => x.plus(centerStep().times(new Rational(BigInt(state.center[k])))));
-const weightAt = (i, c) => dot(plane(i).slice(0, 3), c).plus(plane(i)[3]).negated();  // w = -(n.c + d)
+const weightAt = (i, c, [a, b, d, e] = plane(i)) => dot([a, b, d], c).plus(e).negated();  // w = -(n.c + d)
 
 function polarChapter() {
   const present = () => first().present();
@@ -216,9 +216,9 @@ function polarChapter() {
     const chooser = `<p><label>Pick <select data-picker><option value="">nothing</option>${options}</select></label></p>`;
     let formulas = "";
     if (i !== null) {
-      const w = weightAt(i, c), n = plane(i).slice(0, 3);
+      const p = shownPlane(i), w = weightAt(i, c, p), n = p.slice(0, 3);
       formulas = "<p>w divided by the length of n is the distance from the center to the plane, so the dual point lies in direction n at the distance 1 / (distance of the plane):</p>" + formula(mi("w"), mo("="), mo("\u2212"), mo("("), mi("n"), mo("\u00b7"), mi("c"), mo("+"), mi("d"), mo(")"), mo("="), mo("\u2212"), mo("("),
-        n.map((x, k) => mo("(") + mathOf(x) + mo(")") + mo("\u00b7") + mo("(") + mathOf(c[k]) + mo(")")).join(mo("+")), mo("+"), mo("("), math(`/halfspaces/${i}/plane/3`), mo(")"), mo(")"), mo("="), mathOf(w)) +
+        n.map((x, k) => mo("(") + mathOf(x) + mo(")") + mo("\u00b7") + mo("(") + mathOf(c[k]) + mo(")")).join(mo("+")), mo("+"), mo("("), isScaled(i) ? mathOf(p[3]) : math(`/halfspaces/${i}/plane/3`), mo(")"), mo(")"), mo("="), mathOf(w)) +
         formula(word("dual point"), mo("="), mi("n"), mo("/"), mi("w"), mo("="), mo("("), n.map(x => mathOf(x.over(w))).join(mo(",")), mo(")"));
     }
     if (t) formulas += vertexFormulas(t, c);
@@ -226,10 +226,10 @@ function polarChapter() {
     return sliders + chooser + formulas +
       (lesson.polar ? `<p>The program was run a second time, from the center ${triple("/polar/other/center")}. Is what each removal adds the same as from the first center, for all ${lesson.halfspaces.length} halfspaces? ${verdict(same)}</p>` : "") +
       table(["", "(n1, n2, n3, d)", "w", "dual point n / w"], present().map(j => {
-        const w = weightAt(j, c);
+        const p = shownPlane(j), w = weightAt(j, c, p);
         return row([`<button type="button" class="link" data-pick="h${j}">${j}</button>`, planeText(j), computed(w),
-          `(${plane(j).slice(0, 3).map(x => computed(x.over(w))).join(", ")})`], j === i ? 'class="chosen"' : "");
-      }), "Halfspaces and dual points");
+          `(${p.slice(0, 3).map(x => computed(x.over(w))).join(", ")})`], j === i ? 'class="chosen"' : "");
+      }), "Halfspaces and dual points") + scaledNote(present());
   };
   const usual = lesson.removals?.[0], facet = usual ? usual.removed : 0;
   const corner = () => { const ring = first().ring(facet); return key([facet, ring[0], ring[1]]); };

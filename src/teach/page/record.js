@@ -51,7 +51,14 @@ const row = (cells, attributes = "") => `<tr ${attributes}>${cells.map(cell => `
 const verdict = holds => holds ? '<span class="yes">\u2713 yes</span>' : '<span class="no">\u2717 NO</span>';
 
 const plane = i => vector(lesson.halfspaces[i].plane);
-const planeText = i => `(${list(`/halfspaces/${i}/plane`)})`;
+// A plane as it is shown: its integers or, where these are long, divided by the largest entry of the normal.
+const isScaled = i => !lesson.halfspaces[i].plane.every(isShort);
+function shownPlane(i) {
+  const p = plane(i), sizes = p.slice(0, 3).map(x => x.sign() < 0 ? x.negated() : x);
+  return isScaled(i) ? p.map(x => x.over(sizes.reduce((a, b) => a.compare(b) > 0 ? a : b))) : p;
+}
+const planeText = i => `(${isScaled(i) ? shownPlane(i).map(computed).join(", ") : list(`/halfspaces/${i}/plane`)})`;
+const scaledNote = ids => ids.some(isScaled) ? "<p>Planes of long integers are shown divided by the largest entry of n, which moves no plane; <i>all digits</i> shows the integers.</p>" : "";
 // D = det(n_a, n_b, n_c), and H: the determinant of four rows (n, d).
 const gap = ids => det(...ids.map(i => plane(i).slice(0, 3)));
 const height = (ids, p) => det4([...ids, p].map(plane));
