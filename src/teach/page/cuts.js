@@ -74,9 +74,9 @@ const chapters = [
       say: "Given: a bin, seen from the side. Wanted: convex parts that hold it, because collisions with convex parts are easy to compute. One convex part is enough, the hull. But nothing can be put into that bin any more.",
       solid: drawPart(hull, 0) + drawOutline() + (isTold ? drawBall(far.at, far.squared) + (state.probe ? dotAt(toSolid(state.probe), "chosen") : "") : ""),
       question: ask("hull", "Which point of the hull is farthest from the bin? Click it.", at => at >= 0.9,
-        at => `The ball shows one that is: its middle is ${num(far.squared, "far")} away, squared.${typeof at === "number" ? ` Yours has ${(100 * at).toFixed(0)}% of that distance.` : ""} How far a part reaches away from the solid is its <b>reach</b>.`),
+        at => `The ball shows one that nearly is: ${num(far.squared, "far")} is the square of its radius. How large the largest one can be is proven in chapter 3.${typeof at === "number" ? ` Yours has ${(100 * at).toFixed(0)}% of that distance.` : ""} How far a part reaches away from the solid is its <b>reach</b>.`),
       more: `<p>The bin has the area ${num(area, "area/polygon")}, the hull ${num(areaOf(hull), "area/hull")}: ${num(excess, "excess")} too much.</p>`,
-      have: "Two ways to say how bad a part is: the area that it adds, and its reach. A thin gap that is filled adds little area, but nothing fits into it any more; the reach tells."};
+      have: "Two ways to say how bad a part is: the area that it adds, and its reach. A slot that is filled adds little area; half its width, its reach, tells what no longer fits into it."};
   }},
 
   {id: "ball", title: "A ball that grows", show() {
@@ -87,20 +87,20 @@ const chapters = [
       question: ask("ball", "Must the largest ball have its middle at a corner of the hull?", a => a === "no",
         () => "No. From a convex bin the distance would grow most toward a corner. From this one it can be largest in the middle of a side, or inside, where several walls are equally far. So looking at corners proves nothing.", ["yes", "no"]),
       more: `<p>Middle ${pair(at, "probe")}, squared distance ${num(squared, "squared")}${isInConvex(model.hull, at) ? "" : ", outside the hull"}.</p>`,
-      have: "The distance of any one point, exactly: the nearest point of a side is a fraction. But a part has infinitely many points."};
+      have: "The distance of any one point, exactly: the nearest point of a side has fractions as coordinates, and distances are kept squared, which avoids roots. But a part has infinitely many points."};
   }},
 
   {id: "squares", title: "A proof from squares", show() {
     const count = how => model.squares.filter(square => square.state === how).length, verdict = verdictOf(model.squares);
     return {
-      say: `Wanted: a proof for all points at once. Cover the hull with squares. A square is done if its middle is so near that the rest of it cannot be too far; otherwise it is divided. ${
-        verdict === "within" ? "All are done: no point of the hull is farther than allowed." : verdict === "beyond" ? "A middle in the hull is farther than allowed: that is a witness." : "Some are neither: divide once more."}`,
+      say: `Wanted: a proof for all points at once. Cover the hull with squares. A square is <b>within</b> if its middle is so near that the rest of it cannot be too far, and <b>farther</b> if its middle is a point of the hull that is too far; otherwise it is open, and divided. ${
+        verdict === "within" ? "All are within: no point of the hull is farther than allowed." : verdict === "beyond" ? "A middle in the hull is farther than allowed: that is a witness." : "Some are open: divide once more. The proof is complete when all are within."}`,
       solid: drawOutline() + drawSquares(model.squares) + drawPart(model.hull, 0, "fill-opacity=\"0\""),
       question: ask("squares", "The middle of a square is nearer than allowed. Is all of the square?", a => a === "no",
         () => "Not yet. Its corners may be farther, by at most half its diagonal. So the middle must be nearer than the allowed distance less that. To stay exact, the diagonal is taken as 99/70 of the side, a little more than the root of 2.", ["yes", "no"]),
       more: distanceSlider("wide") + `<p><label>divided at most <input type="range" data-depth="1" min="0" max="7" value="${state.depth}"> ${state.depth} times</label></p>
         <p>${model.squares.length} squares: <span class="colors"><i class="new"></i> ${count("within")} within <i class="tight"></i> ${count("open")} open <i class="chosen"></i> ${count("beyond")} farther</span></p>`,
-      have: "A proof that anybody can check: a list of squares that cover the part, and one distance for each. In space they are cubes, and <code>--proof</code> writes them down."};
+      have: "Where all squares are within, a proof that anybody can check: a list of squares that cover the part, and one distance for each. In space they are cubes, and <code>--proof</code> writes them down."};
   }},
 
   {id: "cut", title: "Cut", show() {
@@ -111,7 +111,7 @@ const chapters = [
       question: ask("cut", "Through which corner of the bin would a good cut go? Click one.", k => isNotch(outline, k),
         () => "Through a <b>notch</b>, a corner that turns inward. Without notches a piece is convex, its hull is itself, and nothing is left to do."),
       more: distanceSlider() + partsTable() + `<p><button type="button" data-keep="1">keep this cut</button> <button type="button" data-forget="1"${state.cuts.length ? "" : " disabled"}>forget the ${state.cuts.length} kept</button> All parts together: ${num(total(), "total")}, the bin ${num(areaOf(outline), "area/polygon")}.</p>`,
-      have: "Pieces that hold the bin together, whatever the line: each point of the bin is in a piece, and each piece in its hull. Only how far the parts reach depends on how well one cuts."};
+      have: "A <b>piece</b> is cut from the bin, and a <b>part</b> is its hull. Whatever the line, each point of the bin is in a piece, and each piece in its part. Only how far the parts reach depends on how well one cuts."};
   }},
 
   {id: "merge", title: "Merge", show() {
@@ -128,22 +128,22 @@ const chapters = [
         () => `${pairs.filter(ok).length ? `Allowed: ${pairs.filter(ok).join("; ")}.` : "None: each common hull reaches farther."} Move the slider and see when others are.`, [...pairs, "none"]) : "",
       more: distanceSlider() + (two ? `<p>The common hull of ${list(state.picked)} has the area ${num(areaOf(model.common), "common")}; from the bin: ${kVerdict[model.commonVerdict]}. <button type="button" data-join="1"${model.commonVerdict === "within" ? "" : " disabled"}>join them</button></p>` : "") +
         partsTable() + (state.joined.length ? "<p><button type=\"button\" data-apart=\"1\">take all apart again</button></p>" : ""),
-      have: "Fewer parts for the distance that you can afford: this is the only number that has to be chosen. 3% of the diameter is usual."};
+      have: "Fewer parts for the distance that you can afford: this is the only number that has to be chosen. (The diameter here is that of the box around the bin. 3% of it is usual; this lesson exaggerates.)"};
   }},
 
   {id: "guarantee", title: "The guarantee", show() {
     const corners = model.groups.flatMap((group, k) => group.flatMap(i => model.pieces[i].map(p => isInConvex(model.parts[k], p))));
     const isNear = model.verdicts.every(v => v === "within");
     return {
-      say: `${model.parts.length} parts. Two sentences are proven, and they are what nobody else proves: the parts hold the whole bin, and no point of them is farther from it than ${num(model.distance, "distance")}${isNear ? "" : ", but here the second one fails"}.`,
+      say: `${model.parts.length} parts. Two sentences are proven: the parts hold the whole bin, and no point of them is farther from it than ${num(model.distance, "distance")}${isNear ? "" : ", but here the second one fails"}.`,
       solid: model.parts.map((part, k) => drawPart(part, k)).join("") + drawOutline("thin") + model.parts.map((part, k) => label(centerOf(part), k)).join(""),
       question: ask("guarantee", "All corners of the bin lie in parts. Do the parts then hold the bin?", a => a === "no",
         () => "No. A side between two corners may run through a gap between parts, and a hole inside touches no corner at all. That is why the pieces matter: they cover the bin, and each lies in one part with all its corners, and so with all its points.", ["yes", "no"]),
       more: distanceSlider() + rows(["claim", "how it is proven", "here"], [
-        {cells: ["The pieces cover the bin.", "Cuts lose nothing: the areas add up.", `${num(model.pieces.map(areaOf).reduce((a, b) => a.plus(b)), "pieces")} = ${num(areaOf(outline), "area/polygon")}`]},
-        {cells: ["Each piece lies in its part.", "Each corner of it does, and parts are convex.", `${corners.filter(Boolean).length} of ${corners.length}`]},
+        {cells: ["The pieces cover the bin.", "They lie in it, without overlap; so equal area means that nothing is missing.", `${num(model.pieces.map(areaOf).reduce((a, b) => a.plus(b)), "pieces")} = ${num(areaOf(outline), "area/polygon")}`]},
+        {cells: ["Each piece lies in its part.", "Each corner of it does, and parts are convex.", `${corners.filter(Boolean).length} of ${corners.length} corners`]},
         {cells: ["No part reaches farther.", "Squares.", `${model.verdicts.filter(v => v === "within").length} of ${model.parts.length} parts`]}]) + partsTable(),
-      have: "What <code>convexact decompose FILE --distance 3%</code> does in space, with cubes for squares and planes for lines, and what <code>convexact verify FILE PARTS --distance 3%</code> proves about anybody's parts."};
+      have: "What <code>convexact decompose FILE --distance 3%</code> does in space, with cubes for squares and planes for lines, and what <code>convexact verify FILE PARTS --distance 3%</code> decides about anybody's parts. (It knows no pieces of theirs, and finds itself what of the surface is in no part.)"};
   }},
 ];
 

@@ -96,27 +96,27 @@ const chapters = [
           ? `The points that are no corners of the hull: ${inner.length} of them. They lie inside or on a side, so no side needs them.`
           : `Sides ${list(model.planes.filter(p => value(p, state.points[k]).sign() === 0).map(p => p.id))} go through it, and would move.`),
       more: rows(["halfplane", "its points x, y"], model.planes.map(p => ({cells: [name(p.id), rowText(p)]}))),
-      have: "Each side is a <b>halfplane</b>: the points on one side of a line. The polygon is what all of them have in common. To have fewer sides, halfplanes must go, and the polygon grows: a point that satisfies all conditions satisfies some of them."};
+      have: "Each side is a <b>halfplane</b>: the points on one side of a line. The polygon is what all of them have in common. To have fewer sides, halfplanes must go, and the polygon grows: a point that satisfies all conditions satisfies any selection of them."};
   }},
 
-  {id: "polar", title: "A halfplane becomes a point", show() {
+  {id: "polar", title: "A halfplane becomes a point", begin: {picked: 0}, show() {
     const {side, moved} = model, answer = state.answered.polar;
     const seen = moved ? moved.polygon : model.polygon, isRedundant = moved && moved.polygon.redundant.length > 0;
     const marks = side ? {[side.id]: "chosen"} : {}, at = side && toDual(dualPoint(moved.plane, state.center));
     return {
-      say: `Wanted: a picture in which it is easy to see what happens when a halfplane goes. Seen from a center c inside, a line at distance r becomes a point at distance 1/r, in the same direction. Drag c. ${
-        side ? `Drag side ${name(side.id)}, or move it with the slider` : "Pick a side, and drag it"}: the dual point slides along its ray.`,
+      say: `Wanted: a picture in which it is easy to see what happens when a halfplane goes. Seen from a center c inside, each line becomes a point, its <b>dual point</b>, in the same direction. How far out? Drag c, and drag side ${name(side.id)} or move it with the slider${
+        state.answered.polar === undefined ? "." : ": a line at distance r has its dual point at distance 1/r."}`,
       solid: (moved ? drawPolygon(model.polygon, {isGhost: true}) : "") + drawPolygon(seen, {marks}) + drawPoints(false) + drawCenter(),
       dual: drawDual(seen, {marks, ghost: moved ? model.polygon : null}) + (side ? `<path class="line arrow" d="M0 0L${path([at])}"/>` + dotAt(at, "chosen") : "") +
         (Array.isArray(answer) ? `<circle class="guess" cx="${answer[0]}" cy="${answer[1]}" r="9"/>` : ""),
       question: side ? ask("polar", `Side ${name(side.id)} moves to twice its distance from c. Where will its dual point be? Click in the right pane.`,
         guess => near(guess, toDual(scaled(side.dual, new Rational(1n, 2n))), 14),
-        () => "At half its distance from the center, on the same ray: p = n / s, and s doubles. Try it with the slider. A line that goes away for good becomes the center itself.") : "",
+        () => "At half its distance from the center, on the same ray: p = n / s, and s, which is the distance r times the length of n, doubles. Try it with the slider. A line that goes away for good becomes the center itself.") : "",
       more: (side ? `<p><label>distance of side ${side.id}, times <input type="range" data-stretch="1" min="2" max="16" value="${Math.round(state.stretch.toNumber() * 4)}"> ${num(state.stretch, "stretch")}</label> ${
         isRedundant ? "Now its dual point lies inside the dual polygon, and the line bounds nothing any more." : state.stretch.compare(one) < 0 ? "Nearer than before, it cuts the input." : ""}</p>` : "") +
         rows(["halfplane n\u00b7x + d \u2264 0", "s = \u2212(n\u00b7c + d)", "dual point p = n / s"], (moved ? model.planes.map(p => p.id === side.id ? moved.plane : p) : model.planes)
           .map(p => ({cells: [`${name(p.id)} ${rowText(p)}`, num(value(p, state.center).negated(), `s/${p.id}`), pair(dualPoint(p, state.center), `dual/${p.id}`)], mark: side?.id === p.id ? "chosen" : ""}))),
-      have: `c = ${pair(state.center, "center")}. Halfplanes are <b>points</b> now, and the polygon they bound is the hull of points again, the <b>dual</b>. No answer that follows depends on c.`};
+      have: `c = ${pair(state.center, "center")}. Halfplanes are <b>points</b> now, and the polygon they bound is the hull of points again, the <b>dual</b>. The dual depends on c; which sides meet, which can go, and what that costs does not.`};
   }},
 
   {id: "swap", title: "Sides and corners change places", show() {
@@ -124,11 +124,11 @@ const chapters = [
     const chosen = state.picked, k = sides.findIndex((side, i) => `${side.id}-${sides[(i + 1) % m].id}` === chosen);
     const marks = k < 0 ? {} : {[sides[k].id]: "ring", [sides[(k + 1) % m].id]: "ring", [chosen]: "chosen"};
     return {
-      say: "Wanted: to read the polygon off its dual. A side became a point; so what became of a corner? Two sides meet in it, so it is the line through their two dual points. Pick sides of the dual, and drag c.",
-      solid: drawPolygon(model.polygon, {marks, picks: false}) + (k < 0 ? dotAt(toSolid(corners[asked]), "handle", "", 9) : dotAt(toSolid(corners[k]), "chosen", "", 7)) + drawCenter(),
+      say: "Wanted: to read the polygon off its dual. A side became a point; so what becomes of a corner, where two sides meet? Pick sides of the dual, and drag c." + (state.answered.swap === undefined ? "" : " It is the side between their two dual points."),
+      solid: drawPolygon(model.polygon, {marks, picks: false}) + (k < 0 ? dotAt(toSolid(corners[asked]), "tight", "", 7) : dotAt(toSolid(corners[k]), "chosen", "", 7)) + drawCenter(),
       dual: drawDual(model.polygon, {marks}),
-      question: ask("swap", `One corner has a ring, between sides ${list([p.id, q.id])}. Which side of the dual is it? Click it in the right pane.`,
-        corner => corner === `${p.id}-${q.id}`, () => `The one between points ${list([p.id, q.id])}: the corner satisfies p\u00b7y = 1 for both of them.`),
+      question: ask("swap", `One corner is marked, between sides ${list([p.id, q.id])}. Which side of the dual is it? Click it in the right pane.`,
+        corner => corner === `${p.id}-${q.id}`, () => `The one between points ${list([p.id, q.id])}. Let y be the corner less c. Both of its sides say p\u00b7y = 1, one with each dual point p; and all p with p\u00b7y = 1 are a line, the one through these two points.`),
       more: k < 0 ? "" : `<p>The corner y, seen from c, is ${pair(difference(corners[k], state.center), "corner")}. For both dual points p\u00b7y = ${num(dot(sides[k].dual, difference(corners[k], state.center)), "incidence/0")} and ${
         num(dot(sides[(k + 1) % m].dual, difference(corners[k], state.center)), "incidence/1")}: "y lies on the line of p" and "p lies on the line of y" are one equation.</p>`,
       have: "Two polygons with as many corners as the other has sides, in the same cyclic order. So whatever we do to halfplanes, we may do to points, and a hull of points is what programs can compute."};
@@ -143,7 +143,7 @@ const chapters = [
       solid: (cap ? drawCap(cap) : "") + drawPolygon(model.polygon, {marks}) + (cap?.tip ? dotAt(toSolid(cap.tip), "new") : "") + drawPoints(false) + drawCenter(),
       dual: drawDual(model.polygon, {marks}) + (cap ? `<path class="line added ${cap.tip ? "new" : "no"}" d="M${path([toDual(cap.before.dual), toDual(cap.after.dual)])}"/>` : ""),
       question: ask("cap", `Can side ${name(asked)} go, so that the rest still bounds a polygon?`, answer => (answer === "no") === unbounded.includes(asked),
-        () => `${unbounded.includes(asked) ? "No" : "Yes"}. In the dual: the segment between its neighbours' points must pass the center on the outer side, so that the center stays inside. D says so: it is positive, or not.`, ["yes", "no"]),
+        () => `${unbounded.includes(asked) ? "No" : "Yes"}. In the dual: the segment between its neighbours' points must pass the center on the outer side, so that the center stays inside. That is the sign of D, the determinant of the two points: positive if the turn from the first to the second, counter-clockwise, is less than half a turn.`, ["yes", "no"]),
       more: cap ? `<p>D = p<sub>${cap.before.id}</sub> \u00d7 p<sub>${cap.after.id}</sub> = ${num(cap.D, "D")}, so the cap is ${cap.D.sign() > 0 && cap.area ? `bounded. Its tip is ${pair(cap.tip, "tip")}, its area ${num(cap.area, "area")}` : "not bounded, and this side has to stay"}.</p>` : "",
       have: "A removal is local: it needs the side and its two neighbours, and one sign that says whether it is possible at all."};
   }},
@@ -153,7 +153,7 @@ const chapters = [
     const marks = isTold && next ? {[next.side.id]: "chosen", ...(state.answered.ring !== undefined ? Object.fromEntries(ring.map(id => [id, "ring"])) : {})} : {};
     const areas = Object.fromEntries(caps.filter(c => c.area).map(c => [c.side.id, c.area.decimal(3)]));
     return {
-      say: `Wanted: few sides, and little to spare. So the side with the smallest cap goes first. ${isTold ? "Each side shows the area of its cap." : "Look before you compute."} Drag c: no area changes, as the costs are those of the polygon, however we look at it.`,
+      say: `Wanted: few sides, and little to spare. The cap of a side is what the polygon gains without it, so the side with the smallest cap goes first. ${isTold ? "Each side shows the area of its cap." : "Look before you compute."} Drag c: no area changes, as the costs are those of the polygon, however we look at it.`,
       solid: (isTold ? caps.map(drawCap).join("") : "") + drawPolygon(model.polygon, {marks, areas: isTold ? areas : null}) + drawCenter(), dual: drawDual(model.polygon, {marks}),
       question: next === null ? "" : ask("choice", "Which side has the smallest cap? Click it.", id => next.tied.includes(id), () => `Side ${name(next.side.id)} adds ${num(next.area, "least")}${
         next.tied.length > 1 ? `, and ${list(next.tied.slice(1))} exactly as much. Of equal ones the first goes, so that everybody gets the same result` : ""}.`) +
@@ -170,9 +170,9 @@ const chapters = [
     const marks = step ? {[step.side.id]: "chosen", [step.before.id]: "ring", [step.after.id]: "ring"} : {};
     return {
       say: `${polygon.sides.length} of ${model.planes.length} sides are left; the polygon has grown by ${num(growth.times(new Rational(100n)), "growth")} percent. ${
-        step ? `Next goes side ${name(step.side.id)}, for ${num(step.area, "step")}.` : last.sides.length === 3 ? "A triangle is the least." : "No other side can go: each cap is unbounded."}`,
+        step ? `Next goes side ${name(step.side.id)}, for ${num(step.area, "step")}.` : last.sides.length === 3 ? "Fewer than three sides bound nothing." : "No other side can go: each cap is unbounded."}`,
       solid: drawPolygon(model.polygon, {isGhost: true}) + drawPolygon(polygon, {marks, picks: false}) + drawPoints(false), dual: drawDual(polygon, {marks, ghost: model.polygon, picks: false}),
-      question: ask("run", "Each step takes the smallest cap. Is the result of several steps then always the smallest polygon with so many sides?", answer => answer === "no",
+      question: ask("run", "Each step takes the smallest cap. Is the result of several steps then always the smallest polygon that so many of the first sides can bound?", answer => answer === "no",
         () => "No. A cheap first step may make the next ones dear; greedy is a good rule, not the best of all. <code>--search local</code> looks for better ones afterwards, and <code>--search optimal</code> proves that there is none.", ["yes", "no"]),
       more: `<p><label>removals <input type="range" data-at-step="1" min="0" max="${steps.length}" value="${k}"> ${k} of ${steps.length}</label></p>` +
         rows(["step", "side", "adds", "equal ones", "area after"], steps.map((s, i) => ({cells: [i + 1, name(s.side.id), num(s.area, `run/${i}/area`), s.tied.slice(1).map(name).join(" "),
@@ -182,15 +182,15 @@ const chapters = [
 
   {id: "space", title: "And in space", show() {
     return {
-      say: "Nothing new is needed in space; there is only more of it. Each line of the table is a chapter of the lessons on solids.",
+      say: "In space the ideas stay, and each gets a little harder. The lessons on solids take them one by one.",
       solid: drawPolygon(model.run.last, {picks: false}) + drawPoints(false), dual: drawDual(model.run.last, {picks: false}), question: "",
       more: rows(["in the plane", "in space", "why it is harder"], [
         ["halfplanes, sides", "halfspaces, facets", "a facet has any number of corners"],
-        ["the hull, by sorting", "the hull, point by point", "the rim of what a point sees is a closed curve, no pair of corners"],
+        ["the hull, by sorting", "the hull, point by point", "a new point sees several triangles of the hull so far; they are replaced along their common rim"],
         ["two neighbours", "a ring of k neighbours", "their order has to be kept"],
         ["one segment closes the gap, D &gt; 0", "k \u2212 2 triangles close the hole, each with D &gt; 0", "which triangles they are is itself a small hull"],
         ["the cap is a triangle", "the cap is a polytope", "its volume is a sum over those triangles"],
-        ["bounded or not: one sign", "bounded or not: one sign for each triangle", "signs must be exact, or the surface tears"],
+        ["bounded or not: one sign", "bounded or not: one sign for each triangle", "one wrong sign, and triangles overlap or leave a gap: so signs are computed exactly"],
       ].map(cells => ({cells}))),
       have: "Go on with <a href=\"cube.html\">the cube without a corner</a>, where every number still fits on the board."};
   }},

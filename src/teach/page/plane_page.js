@@ -66,7 +66,12 @@ function set(changes) {
   draw();
 }
 const chapterId = () => lesson.chapters[state.chapter].id;
-const go = chapter => set({chapter: Math.max(0, Math.min(lesson.chapters.length - 1, chapter)), ...lesson.forget});
+// What a chapter begins with.
+const fresh = chapter => ({...lesson.forget, ...lesson.chapters[chapter].begin});
+function go(to) {
+  const chapter = Math.max(0, Math.min(lesson.chapters.length - 1, to));
+  set({chapter, ...fresh(chapter)});
+}
 
 function draw() {
   const chapter = lesson.chapters[state.chapter], shown = chapter.show();
@@ -123,13 +128,13 @@ function take(pane) {
 
 function begin(theLesson) {
   lesson = theLesson;
-  const fresh = () => ({chapter: 0, answered: {}, drag: null, ...lesson.start()});
+  const first = () => ({chapter: 0, answered: {}, drag: null, ...lesson.start()});
   const fromAddress = () => go(Math.max(0, lesson.chapters.findIndex(({id}) => id === location.hash.slice(1))));
-  state = fresh();
+  state = first();
   ["solid", "dual"].forEach(take);
   byId("back").addEventListener("click", () => go(state.chapter - 1));
   byId("next").addEventListener("click", () => go(state.chapter + 1));
-  byId("reset").addEventListener("click", () => set({...fresh(), chapter: state.chapter}));
+  byId("reset").addEventListener("click", () => set({...first(), chapter: state.chapter, ...lesson.chapters[state.chapter].begin}));
   byId("question").addEventListener("click", event => {
     const id = event.target.closest("[data-question]")?.dataset.question;
     if (event.target.dataset.tell) answer(id, "told");
@@ -148,7 +153,7 @@ function begin(theLesson) {
     if (event.target.closest("input")) return;
     if (event.key === "ArrowRight") go(state.chapter + 1);
     if (event.key === "ArrowLeft") go(state.chapter - 1);
-    if (event.key === "Escape") set(lesson.forget);
+    if (event.key === "Escape") set(fresh(state.chapter));
   });
   addEventListener("hashchange", fromAddress);
   fromAddress();
