@@ -117,7 +117,7 @@ function centerChapter(center) {
   const statement = "<p>The ball with center x and radius r lies in the halfspace n\u00b7x + d \u2264 0 if and only if n\u00b7x + d + |n| r \u2264 0. Lengths |n| are often irrational, so U, a rational that is at least |n|, stands in their place. The largest r is a linear program in four unknowns:</p>" +
     formula(word("max"), mi("r"), mo("\u2003:\u2003"), sub("n", "i"), mo("\u00b7"), mi("x"), mo("+"), sub("d", "i"), mo("+"), sub("U", "i"), mi("r"), mo("\u2264"), mn(0));
   const steps = [{id: "center", title: "The largest ball", show: () => ({
-    say: "The dual needs a center, strictly inside; any such point will do, so you may skip to polar duality. We take the center of the largest ball that fits. Each halfspace is one constraint on the ball. They are taken up one after another, in random order, and each time we ask whether the best ball so far sticks out.",
+    say: "The dual needs a center, strictly inside; any such point will do, so you may skip to polar duality. We take the center of the largest ball that fits. Each halfspace is one constraint on the ball. They are taken up one after another, in random order, and each time we ask whether the best ball so far sticks out. Without any, a ball may grow in any direction, and the program takes one.",
     solid: {items: items(center.start, []), note: "Without any constraint, the ball is as large as you like."}, dual: {items: []},
     more: statement + asBall(`${place}/start`, center.start),
   })}];
@@ -136,16 +136,16 @@ function centerChapter(center) {
       const value = valueAt(step.row, before), grows = value.infinite.sign();
       const broken = grows > 0 || (grows === 0 && value.finite.sign() > 0);
       return {
-        say: isLast(step.row) ? `The last constraint asks that the radius is not negative. The best ball ${step.moved ? "breaks this" : "has no such radius"}.`
-          : step.moved ? `The best ball so far sticks out of halfspace ${tag(step.row)}, so the new best ball must touch plane ${tag(step.row)}. ${isFinite(after) ? `It touches ${many(afterTight.length, "plane")} now.` : "There is still no largest ball: it goes on growing."}`
+        say: isLast(step.row) ? `One more constraint asks that the radius is not negative. The best ball so far ${step.moved ? "breaks it" : "satisfies it"}.`
+          : step.moved ? `The best ball so far sticks out of halfspace ${tag(step.row)}, so the new best ball must touch plane ${tag(step.row)}. ${isFinite(after) ? `It is held by ${many(afterTight.length, "plane")} now; those that held the ball before may let go.` : "There is still no largest ball: it goes on growing."}`
           : `The best ball so far does not stick out of halfspace ${tag(step.row)}, so nothing changes.`,
         solid: {items: items(after, afterTight, isLast(step.row) ? undefined : step.row)},
-        dual: {items: [...arrows(afterTight.filter(r => !isLast(r))), origin], radius: 1.2, name: "normals", note: "Directions of the planes that the ball touches."},
+        dual: {items: [...arrows(afterTight.filter(r => !isLast(r))), origin], radius: 1.2, name: "normals", note: "Directions of the planes that hold the ball."},
         more: (isLast(step.row) ? "" : `<p>Halfspace ${tag(step.row)} and the ball before:</p>` +
           formula(mi("n"), mo("\u00b7"), mi("x"), mo("+"), mi("d"), mo("+"), mi("U"), mi("r"), mo("="),
             grows ? mathOf(value.infinite) + mi("M") + (value.finite.sign() < 0 ? "" : mo("+")) : "", mathOf(value.finite), mo(broken ? ">" : "\u2264"), mn(0)) +
             (grows ? "<p>M stands for a number as large as you like, since with a few constraints only there is no largest ball.</p>" : "")) +
-          "<h4>The best ball now</h4>" + asBall(afterAt, after) + `<p>It touches: ${afterTight.map(name).join(", ") || "nothing"}.</p>`,
+          "<h4>The best ball now</h4>" + asBall(afterAt, after) + `<p>Held by: ${afterTight.map(name).join(", ") || "nothing"}. (It may touch others, too.)</p>`,
       };
     }});
   });
@@ -161,7 +161,7 @@ function centerChapter(center) {
       more: table(["halfspace", "factor \u03bb", "(n1, n2, n3, d)", "U"], touching.map(([r], t) => row([tag(r), number(`${place}/touching/${t}/1`), planeText(r), number(`${place}/norms/${r}`)])), "Certificate") +
         formula(mo("\u2211"), mi("\u03bb"), mi("n"), mo("="), mo("("), sums.map(mathOf).join(mo(",")), mo(")")) +
         formula(mi("r"), mo("="), mo("\u2212"), mo("\u2211"), mi("\u03bb"), mi("d"), mo("/"), mo("\u2211"), mi("\u03bb"), mi("U"), mo("="), mathOf(depth.over(weight))) +
-        `<p>Is that the radius which was found? ${verdict(depth.over(weight).compare(Rational.of(center.optimum_radius)) === 0)}</p>` +
+        `<p>Add up the constraints of any ball, each times its λ: x drops out, and r is at most this. Is it the radius that was found? ${verdict(depth.over(weight).compare(Rational.of(center.optimum_radius)) === 0)}</p>` +
         `<p>Center ${triple(`${place}/optimum`)}. Any deep point serves as well, so it is rounded to short numbers: <b>c</b> = ${triple(`${place}/center`)}, around which a ball of radius ${number(`${place}/radius_low`)} still fits. The true largest radius is at most ${number(`${place}/radius_high`)}.</p>`,
     };
   }});
@@ -252,7 +252,7 @@ function withoutOne(removal) {
   });
   const marks = {...mark(ring, "ring"), [i]: "chosen"};
   return {
-    say: `Seen from the center, the solid is everything that passes the tests p\u00b7y \u2264 1, one test for each dual point p. One halfspace, one test, one point. Taking the halfspace away takes its test away, and that is deleting p; nothing else changes. With one test fewer, whatever passed before still passes: so the solid can only grow. Here is a point y that fails only the test of ${tag(i)}.`,
+    say: `Seen from the center, the solid is everything that passes the tests p\u00b7y \u2264 1, one test for each dual point p. One halfspace, one test, one point. Taking the halfspace away takes its test away, and that is deleting p; no other point moves. With one test fewer, whatever passed before still passes: so the solid can only grow. Here is a point y that fails only the test of ${tag(i)}.`,
     solid: {items: [{...solidItem(surfaceAfter(1)), mark: "cap"}, solidItem(first(), marks), {dots: [{at: corner.vertex.at, mark: "new", size: 6, label: "y"}, {at: [0, 0, 0], mark: "center", label: "c"}]}]},
     dual: {items: [{...dualItem(first(), marks), mark: "cap"}, {...dualItem(surfaceAfter(1), mark(ring, "ring"), Object.fromEntries(removal.triangles.map(t => [key(t.corners), "new"])))}],
       note: `Outside: with ${i}. Inside: the hull of the points that are left.`},
@@ -273,7 +273,7 @@ function vertexFormulas(t, c) {
     formula(mi("D"), mo("="), word("det"), mo("("), t.map(i => sub("n", i)).join(mo(",")), mo(")"), mo("="), mathOf(D)) +
     formula(mi("x"), mo("="), t.map((_, k) => sub("w", t[k]) + sub("n", t[(k + 1) % 3]) + mo("\u00d7") + sub("n", t[(k + 2) % 3])).join(mo("+")), mo("="), brackets(x)) +
     formula(word("vertex"), mo("="), mi("c"), mo("+"), mi("x"), mo("/"), mi("D"), mo("="), brackets(x.map((value, k) => c[k].plus(value.over(D))))) +
-    `<p>D &gt; 0 says that the triangle faces away from the origin, so that there is such a vertex. Now take another halfspace, ${tag(p)}, across an edge of this triangle. Its dual point may lie above the triangle or below; that is its <i>height</i>:</p>` +
+    `<p>D &gt; 0 says that the planes meet in one point, and that the triangle faces away from the origin. It is a vertex of the solid unless another plane cuts it off. Take a halfspace across an edge of this triangle, ${tag(p)}. Its dual point may lie above the triangle or below; that is its <i>height</i>:</p>` +
     formula(word("height"), mo("="), mi("x"), mo("\u00b7"), sub("n", p), mo("\u2212"), mi("D"), sub("w", p), mo("="), mathOf(h)) +
     `<p>With y = x / D and the dual point p = n / w, the height is D w (p\u00b7y \u2212 1). D and w are positive. So a positive height says p\u00b7y &gt; 1: plane ${tag(p)} would cut the vertex off. A negative one says that the vertex is inside, and 0 that it lies on the plane.</p>` +
     `<p>The height is also the determinant whose four rows are (n1, n2, n3, d) of the planes ${tags([...t, p])}, which is ${computed(height(t, p))}. Are they equal? ${verdict(height(t, p).compare(h) === 0)} No center occurs in it. So move the center: x and the w change, but D, the height and the vertex stay.</p>`;
@@ -308,7 +308,7 @@ function topologyChapter() {
     return {
       say: t ? `Entry (${t[0]}, ${t[1]}) is ${tag(t[2])}: walking from ${tag(t[0])} to ${tag(t[1])} on the outside of the dual, the triangle with ${tag(t[2])} lies on the left. It stands in the matrix three times, once for each of its edges.`
         : i !== null ? `Row ${tag(i)} holds the one-ring of its dual point: ${tags(first().ring(i))}, in this order around it.`
-        : "Which triangles the dual has is kept in a matrix. Entry (i, j) = k says: the triangle i, j, k lies to the left of the edge from i to j. Pick an entry.",
+        : "Which triangles the dual has is kept in a matrix. Entry (i, j) = k says: seen from outside, the triangle i, j, k lies to the left of the edge from i to j. So in row i the entry under j is the neighbour that follows j around i. Pick an entry.",
       solid: {items: [{...solidItem(first(), marks), mark: "glass"}, {dots: at ? [{at, mark: "chosen", size: 6}] : []}]},
       dual: {items: [dualItem(first(), marks, t ? {[key(t)]: "chosen"} : {})]},
       more: (matrix || `<p>With ${ids.length} rows the table would be larger than the page; pick a point of the dual to see its row.</p>`) +

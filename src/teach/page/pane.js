@@ -121,8 +121,12 @@ class Pane {
   // finds no place is left out: the tables have all. Twice the same at one place is one.
   labels(wanted, taken) {
     const {x: left, y: top, width, height} = this.svg.viewBox.baseVal;
+    const drawn = new Set();
     const rank = ({mark}) => /\bchosen\b/.test(mark) ? 0 : /\b(back|far)\b/.test(mark) ? 2 : 1;
     return [...wanted].sort((a, b) => rank(a) - rank(b)).flatMap(label => {
+      const same = `${label.text} ${label.places[0].map(Math.round)}`;
+      if (drawn.has(same)) return [];
+      drawn.add(same);
       const size = rank(label) === 0 ? 16 : 13, half = 0.31 * size * label.text.length + 2;
       for (const place of label.places) {
         const x = Math.max(left + half, Math.min(left + width - half, place[0]));

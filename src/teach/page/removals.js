@@ -231,13 +231,13 @@ function capDetails(removal, k) {
       number(`${at}/triangles/${n}/d`), number(`${at}/triangles/${n}/height`), triple(`${at}/triangles/${n}/vertex/exact`),
       verdict(Rational.of(t.d).sign() > 0 && Rational.of(t.height).sign() >= 0)])), "New corners") +
     `<p>D &gt; 0: there is such a corner. Height \u2265 0: the dual point of ${tag(i)} lies above the triangle or on it, so plane ${tag(i)} used to cut this corner off, or just touched it.</p>` +
-    `<p>Here the program writes dual points as whole numbers (n : w): ${[i, ...removal.ring].map(j => `${tag(j)} = (${[0, 1, 2].map(c => number(`/halfspaces/${j}/dual/${c}`)).join(", ")} : ${number(`/halfspaces/${j}/dual/3`)})`).join(", ")}. So x, D and height are positive multiples of those from the planes: the same corner, the same signs.</p>` +
-    `<h4>Its volume</h4><p>The base of the cap is facet ${tag(i)}. From one corner a of it, the cap is cut into tetrahedra with corners a, u, v, w:</p>` +
+    `<p>Here the program writes dual points as whole numbers (n : w): ${[i, ...removal.ring].map(j => `${tag(j)} = (${[0, 1, 2].map(c => number(`/halfspaces/${j}/dual/${c}`)).join(", ")} : ${number(`/halfspaces/${j}/dual/3`)})`).join(", ")}. From these follow x, D and height, divided by common factors: positive multiples of those from the planes, so the same corner and the same signs.</p>` +
+    `<h4>Its volume</h4><p>The base of the cap is facet ${tag(i)}. From one corner a of it, the cap is cut into tetrahedra with corners a, u, v, w, where u, v, w is a triangle of its surface without a, counter-clockwise from outside:</p>` +
     formula(mn(6), mi("V"), mo("="), mo("\u2211"), word("det"), mo("("), mi("u"), mo("\u2212"), mi("a"), mo(","), mi("v"), mo("\u2212"), mi("a"), mo(","), mi("w"), mo("\u2212"), mi("a"), mo(")"),
       few && removal.tetrahedra.length > 1 ? mo("=") + removal.tetrahedra.map((_, n) => math(`${at}/tetrahedra/${n}/six`)).join(mo("+")) : "", mo("="), mathOf(six)) +
     formula(mi("V"), mo("="), mathOf(six), mo("/"), mn(6), mo("="), math(`${at}/cap_volume`)) +
     formula(math(volumeBefore(k)), mo("+"), math(`${at}/cap_volume`), mo("="), math(`${at}/volume_after`)) +
-    `<p>Do these agree with what the engine recorded? ${verdict(volume.compare(Rational.of(removal.cap_volume)) === 0 && sum.compare(Rational.of(removal.volume_after)) === 0)}</p>` +
+    `<p>Do these agree with what the program recorded? ${verdict(volume.compare(Rational.of(removal.cap_volume)) === 0 && sum.compare(Rational.of(removal.volume_after)) === 0)}</p>` +
     (lesson.cost === "volume" ? "" : `<p>By ${measureName[lesson.cost]} it costs ${cost(`${at}/cost`)}.</p>`) +
     (lesson.measures || []).map(m => removal.others?.[m] ? `<p>The same step adds ${cost(`${at}/others/${m}`)} to the ${measureName[m]}.</p>` : "").join("") + convexity(removal);
 }
@@ -257,6 +257,12 @@ function convexity(removal) {
   return "";
 }
 
+// Of one that cannot go: the triangles that would close the hole, of which one has no corner.
+function whyStuck(end) {
+  const stuck = lesson.stop.startsWith("all") && candidates(end).find(({cost: value}) => value === null);
+  return stuck ? `<p>Without ${tag(stuck.i)}, for instance, the planes of its ring would have to meet in corners:</p>${gapTable(lesson.evaluations[stuck.e])}` : "";
+}
+
 function lastSteps() {
   const end = lesson.removals.length, reasons = {reached: "as many are left as were asked for", "growth-limit": "the next removal would exceed the growth that was allowed",
     "all-unbounded": "every further removal would open a gap to infinity", "all-kept-or-unbounded": "every further removal would open a gap to infinity, or is to be kept"};
@@ -264,7 +270,7 @@ function lastSteps() {
     say: `The run ends with ${lesson.end.present.length} halfspaces, since ${reasons[lesson.stop] || lesson.stop}. Every solid on the way holds the input: a halfspace that stays has never moved.`,
     solid: {items: [{...solidItem(surfaceAfter(end)), mark: "cap"}, solidItem(surfaceAfter(0))], radius: end ? frameOf(end - 1) : undefined, note: lesson.topology.step === 0 ? "Inside: the solid before removal 1." : `Inside: the solid after removal ${lesson.topology.step}.`},
     dual: {items: [dualItem(surfaceAfter(end))], radius: dualReach()},
-    more: candidateTable(end, null) + (lesson.removals.length && lesson.stop.startsWith("all") ? "<p>A halfspace that could go before may be needed now: one that is gone used to close the gap.</p>" : ""),
+    more: candidateTable(end, null) + whyStuck(end) + (lesson.removals.length && lesson.stop.startsWith("all") ? "<p>A halfspace that could go before may be needed now: one that is gone used to close the gap.</p>" : ""),
   })}];
 }
 
@@ -298,7 +304,7 @@ function verificationChapter() {
         : `Step ${removal.step} removed ${tag(removal.removed)}. A part of the program that shares nothing with the one that made the step, and knows no center, proved it again by ${many(removal.checks.length, "check")}. All hold.`,
       solid: {items: [{...solidItem(surfaceAfter(k + 1), mark(removal.ring, "ring")), mark: "cap"}, solidItem(surfaceAfter(k), marks)], radius: frameOf(k)},
       dual: {items: [dualItem(surfaceAfter(k + 1), marks, Object.fromEntries(removal.triangles.map(t => [key(t.corners), "new"])))], radius: dualReach()},
-      more: "<p>Three questions are asked. <b>Is the surface closed?</b> The new triangles fill the hole along the ring exactly, as a disk. <b>Is it convex?</b> No neighbouring dual point lies above a new triangle. <b>Has the solid only grown?</b> Each new corner exists, lies on or beyond the plane that went, and is inside the planes that stay. (A survivor is a halfspace that is left. Modulo two primes: both sides of an equation of long numbers have the same remainders.)</p>" +
+      more: "<p>Three questions are asked. <b>Is the surface closed?</b> The new triangles fill the hole along the ring exactly, as a disk. <b>Is it convex?</b> No neighbouring dual point lies above a new triangle. <b>Has the solid only grown?</b> Each new corner exists, lies on or beyond the plane that went, and is inside the planes that stay. (The one-ring of a halfspace: its neighbours, in order. Outside: the old triangle across an edge of the ring. Of a ring of three no other planes are left, so these values are 0. Modulo two primes: both sides of an equation of long numbers have the same remainders, which makes an error very unlikely; the signs are what proves the step.)</p>" +
         "<p>A value is D of the three normals, or the height as a determinant of four planes, from the numbers (n1, n2, n3, d) as they are. The last column is this page's own arithmetic.</p>" +
         table(["check", "triangle", "plane", "value", "holds?", "same here?"], rows, "Checks of this step"),
     };
