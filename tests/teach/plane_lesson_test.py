@@ -150,6 +150,11 @@ def check(page):
         elif key == "growth":
             grown = steps[shown["at"] - 1][2] if shown["at"] else area(planes)
             expected = (grown - area(planes)) / area(planes) * 100
+        elif key == "best":
+            expected = min(area(chosen) for chosen in combinations(planes, len(planes) - shown["at"])
+                           if is_bounded(chosen))
+        elif key == "now":
+            expected = steps[shown["at"] - 1][2]
         elif key == "run":
             expected = steps[int(rest[0])][1 if rest[1] == "area" else 2]
         elif key == "incidence":
@@ -237,7 +242,7 @@ def ask_and_answer(page):
             place = "choice" if chapter == "ring" else chapter
             page.evaluate(f"go({CHAPTERS.index(place)})")
             page.evaluate("state.answered = " + ("{choice: 'told'}" if chapter == "ring" else "{}"))
-            page.evaluate("set({picked: state.chapter === 1 ? 0 : null})")
+            page.evaluate("set({picked: state.chapter === 1 ? 0 : null, at: 3})")
             before = page.evaluate(SHOWN)["question"]
             assert "?" in before and "Right." not in before and "tell me" in before, (chapter, before)
             if answer == "'no'" or answer == "'yes'":

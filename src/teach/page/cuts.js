@@ -85,7 +85,7 @@ const chapters = [
       say: "Wanted: the distance of a point from the bin. A ball grows around it until it touches. Drag its middle, and look for the largest ball whose middle lies in the hull.",
       solid: drawPart(model.hull, 0) + drawOutline() + drawBall(at, squared) + drawProbe(at),
       question: ask("ball", "Must the largest ball have its middle at a corner of the hull?", a => a === "no",
-        () => "No. From a convex bin the distance would grow most toward a corner. From this one it can be largest in the middle of a side, or inside, where several walls are equally far. So looking at corners proves nothing.", ["yes", "no"]),
+        () => "No. From a convex shape the distance is largest at some corner of the part. From this bin it can be largest in the middle of a side, or inside, where several walls are equally far. So looking at corners proves nothing.", ["yes", "no"]),
       more: `<p>Middle ${pair(at, "probe")}, squared distance ${num(squared, "squared")}${isInConvex(model.hull, at) ? "" : ", outside the hull"}.</p>`,
       have: "The distance of any one point, exactly: the nearest point of a side has fractions as coordinates, and distances are kept squared, which avoids roots. But a part has infinitely many points."};
   }},
@@ -93,7 +93,7 @@ const chapters = [
   {id: "squares", title: "A proof from squares", show() {
     const count = how => model.squares.filter(square => square.state === how).length, verdict = verdictOf(model.squares);
     return {
-      say: `Wanted: a proof for all points at once. Cover the hull with squares. A square is <b>within</b> if its middle is so near that the rest of it cannot be too far, and <b>farther</b> if its middle is a point of the hull that is too far; otherwise it is open, and divided. ${
+      say: `Wanted: a proof for all points at once. Cover the hull with squares; those that miss it are left out. A square is <b>within</b> if its middle is so near that the rest of it cannot be too far, and <b>farther</b> if its middle is a point of the hull that is too far; otherwise it is open, and divided. ${
         verdict === "within" ? "All are within: no point of the hull is farther than allowed." : verdict === "beyond" ? "A middle in the hull is farther than allowed: that is a witness." : "Some are open: divide once more. The proof is complete when all are within."}`,
       solid: drawOutline() + drawSquares(model.squares) + drawPart(model.hull, 0, "fill-opacity=\"0\""),
       question: ask("squares", "The middle of a square is nearer than allowed. Is all of the square?", a => a === "no",
@@ -111,7 +111,7 @@ const chapters = [
       question: ask("cut", "Through which corner of the bin would a good cut go? Click one.", k => isNotch(outline, k),
         () => "Through a <b>notch</b>, a corner that turns inward. Without notches a piece is convex, its hull is itself, and nothing is left to do."),
       more: distanceSlider() + partsTable() + `<p><button type="button" data-keep="1">keep this cut</button> <button type="button" data-forget="1"${state.cuts.length ? "" : " disabled"}>forget the ${state.cuts.length} kept</button> All parts together: ${num(total(), "total")}, the bin ${num(areaOf(outline), "area/polygon")}.</p>`,
-      have: "A <b>piece</b> is cut from the bin, and a <b>part</b> is its hull. Whatever the line, each point of the bin is in a piece, and each piece in its part. Only how far the parts reach depends on how well one cuts."};
+      have: "A <b>piece</b> is cut from the bin, and a <b>part</b> is its hull. Whatever the line, each point of the bin is in a piece, and each piece in its part. How far parts reach, what area they add and how many there are depends on how well one cuts."};
   }},
 
   {id: "merge", title: "Merge", show() {
@@ -141,9 +141,9 @@ const chapters = [
         () => "No. A side between two corners may run through a gap between parts, and a hole inside touches no corner at all. That is why the pieces matter: they cover the bin, and each lies in one part with all its corners, and so with all its points.", ["yes", "no"]),
       more: distanceSlider() + rows(["claim", "how it is proven", "here"], [
         {cells: ["The pieces cover the bin.", "They lie in it, without overlap; so equal area means that nothing is missing.", `${num(model.pieces.map(areaOf).reduce((a, b) => a.plus(b)), "pieces")} = ${num(areaOf(outline), "area/polygon")}`]},
-        {cells: ["Each piece lies in its part.", "Each corner of it does, and parts are convex.", `${corners.filter(Boolean).length} of ${corners.length} corners`]},
+        {cells: ["Each piece lies in its part.", "Each corner of it does (those where pieces meet count in each), and parts are convex.", `${corners.filter(Boolean).length} of ${corners.length} corners`]},
         {cells: ["No part reaches farther.", "Squares.", `${model.verdicts.filter(v => v === "within").length} of ${model.parts.length} parts`]}]) + partsTable(),
-      have: "What <code>convexact decompose FILE --distance 3%</code> does in space, with cubes for squares and planes for lines, and what <code>convexact verify FILE PARTS --distance 3%</code> decides about anybody's parts. (It knows no pieces of theirs, and finds itself what of the surface is in no part.)"};
+      have: "What <code>convexact decompose FILE --distance 3%</code> does in space, with cubes for squares and planes for lines, and what <code>convexact verify FILE PARTS --distance 3%</code> decides about anybody's parts. (It knows no pieces of theirs, and finds itself what of the surface and of the inside is in no part.)"};
   }},
 ];
 

@@ -96,7 +96,7 @@ const chapters = [
           ? `The points that are no corners of the hull: ${inner.length} of them. They lie inside or on a side, so no side needs them.`
           : `Sides ${list(model.planes.filter(p => value(p, state.points[k]).sign() === 0).map(p => p.id))} go through it, and would move.`),
       more: rows(["halfplane", "its points x, y"], model.planes.map(p => ({cells: [name(p.id), rowText(p)]}))),
-      have: "Each side is a <b>halfplane</b>: the points on one side of a line. The polygon is what all of them have in common. To have fewer sides, halfplanes must go, and the polygon grows: a point that satisfies all conditions satisfies any selection of them."};
+      have: "Each side is a <b>halfplane</b>: the points on one side of a line. The polygon is what all of them have in common. We choose among these halfplanes only: to have fewer sides, some must go, and the polygon grows: a point that satisfies all conditions satisfies any selection of them."};
   }},
 
   {id: "polar", title: "A halfplane becomes a point", begin: {picked: 0}, show() {
@@ -116,7 +116,7 @@ const chapters = [
         isRedundant ? "Now its dual point lies inside the dual polygon, and the line bounds nothing any more." : state.stretch.compare(one) < 0 ? "Nearer than before, it cuts the input." : ""}</p>` : "") +
         rows(["halfplane n\u00b7x + d \u2264 0", "s = \u2212(n\u00b7c + d)", "dual point p = n / s"], (moved ? model.planes.map(p => p.id === side.id ? moved.plane : p) : model.planes)
           .map(p => ({cells: [`${name(p.id)} ${rowText(p)}`, num(value(p, state.center).negated(), `s/${p.id}`), pair(dualPoint(p, state.center), `dual/${p.id}`)], mark: side?.id === p.id ? "chosen" : ""}))),
-      have: `c = ${pair(state.center, "center")}. Halfplanes are <b>points</b> now, and the polygon they bound is the hull of points again, the <b>dual</b>. The dual depends on c; which sides meet, which can go, and what that costs does not.`};
+      have: `c = ${pair(state.center, "center")}. Halfplanes are <b>points</b> now; the hull of these points is a second polygon, the <b>dual</b>. The dual depends on c; which sides meet, which can go, and what that costs does not.`};
   }},
 
   {id: "swap", title: "Sides and corners change places", show() {
@@ -128,7 +128,7 @@ const chapters = [
       solid: drawPolygon(model.polygon, {marks, picks: false}) + (k < 0 ? dotAt(toSolid(corners[asked]), "tight", "", 7) : dotAt(toSolid(corners[k]), "chosen", "", 7)) + drawCenter(),
       dual: drawDual(model.polygon, {marks}),
       question: ask("swap", `One corner is marked, between sides ${list([p.id, q.id])}. Which side of the dual is it? Click it in the right pane.`,
-        corner => corner === `${p.id}-${q.id}`, () => `The one between points ${list([p.id, q.id])}. Let y be the corner less c. Both of its sides say p\u00b7y = 1, one with each dual point p; and all p with p\u00b7y = 1 are a line, the one through these two points.`),
+        corner => corner === `${p.id}-${q.id}`, () => `The one between points ${list([p.id, q.id])}. Let y be the corner less c. Both of its sides say p\u00b7y = 1, one with each dual point p; and all p with p\u00b7y = 1 are a line, the one through these two points. The other halfplanes hold y with room to spare, p\u00b7y &lt; 1, so their points lie on the center's side of it.`),
       more: k < 0 ? "" : `<p>The corner y, seen from c, is ${pair(difference(corners[k], state.center), "corner")}. For both dual points p\u00b7y = ${num(dot(sides[k].dual, difference(corners[k], state.center)), "incidence/0")} and ${
         num(dot(sides[(k + 1) % m].dual, difference(corners[k], state.center)), "incidence/1")}: "y lies on the line of p" and "p lies on the line of y" are one equation.</p>`,
       have: "Two polygons with as many corners as the other has sides, in the same cyclic order. So whatever we do to halfplanes, we may do to points, and a hull of points is what programs can compute."};
@@ -143,7 +143,7 @@ const chapters = [
       solid: (cap ? drawCap(cap) : "") + drawPolygon(model.polygon, {marks}) + (cap?.tip ? dotAt(toSolid(cap.tip), "new") : "") + drawPoints(false) + drawCenter(),
       dual: drawDual(model.polygon, {marks}) + (cap ? `<path class="line added ${cap.tip ? "new" : "no"}" d="M${path([toDual(cap.before.dual), toDual(cap.after.dual)])}"/>` : ""),
       question: ask("cap", `Can side ${name(asked)} go, so that the rest still bounds a polygon?`, answer => (answer === "no") === unbounded.includes(asked),
-        () => `${unbounded.includes(asked) ? "No" : "Yes"}. In the dual: the segment between its neighbours' points must pass the center on the outer side, so that the center stays inside. That is the sign of D, the determinant of the two points: positive if the turn from the first to the second, counter-clockwise, is less than half a turn.`, ["yes", "no"]),
+        () => `${unbounded.includes(asked) ? "No" : "Yes"}. In the dual: the segment between its neighbours' points must pass the center on the outer side, so that the center stays inside. (With the center outside, some direction u has p\u00b7u \u2264 0 for all p, and nothing stops the polygon there.) That is the sign of D, the determinant of the two points: positive if the turn from the first to the second, counter-clockwise, is less than half a turn.`, ["yes", "no"]),
       more: cap ? `<p>D = p<sub>${cap.before.id}</sub> \u00d7 p<sub>${cap.after.id}</sub> = ${num(cap.D, "D")}, so the cap is ${cap.D.sign() > 0 && cap.area ? `bounded. Its tip is ${pair(cap.tip, "tip")}, its area ${num(cap.area, "area")}` : "not bounded, and this side has to stay"}.</p>` : "",
       have: "A removal is local: it needs the side and its two neighbours, and one sign that says whether it is possible at all."};
   }},
@@ -173,7 +173,7 @@ const chapters = [
         step ? `Next goes side ${name(step.side.id)}, for ${num(step.area, "step")}.` : last.sides.length === 3 ? "Fewer than three sides bound nothing." : "No other side can go: each cap is unbounded."}`,
       solid: drawPolygon(model.polygon, {isGhost: true}) + drawPolygon(polygon, {marks, picks: false}) + drawPoints(false), dual: drawDual(polygon, {marks, ghost: model.polygon, picks: false}),
       question: ask("run", "Each step takes the smallest cap. Is the result of several steps then always the smallest polygon that so many of the first sides can bound?", answer => answer === "no",
-        () => "No. A cheap first step may make the next ones dear; greedy is a good rule, not the best of all. <code>--search local</code> looks for better ones afterwards, and <code>--search optimal</code> proves that there is none.", ["yes", "no"]),
+        () => `No. A cheap first step may make the next ones dear.${bestText(polygon)} Greedy is a good rule, not the best of all: <code>convexact simplify --search local</code> looks for better choices afterwards, and <code>--search optimal</code> proves which is the best.`, ["yes", "no"]),
       more: `<p><label>removals <input type="range" data-at-step="1" min="0" max="${steps.length}" value="${k}"> ${k} of ${steps.length}</label></p>` +
         rows(["step", "side", "adds", "equal ones", "area after"], steps.map((s, i) => ({cells: [i + 1, name(s.side.id), num(s.area, `run/${i}/area`), s.tied.slice(1).map(name).join(" "),
           num(areaOf((steps[i + 1]?.polygon ?? last).corners), `run/${i}/after`)], mark: i === k ? "chosen" : ""}))),
@@ -200,6 +200,13 @@ const chapters = [
 function foot(plane) {
   const s = value(plane, state.center).negated();
   return state.center.map((x, k) => x.plus(plane.n[k].times(s).over(dot(plane.n, plane.n))));
+}
+
+// What the best choice of as many sides would have, where all choices can be tried.
+function bestText(polygon) {
+  if (model.planes.length > 9 || polygon.sides.length === model.planes.length) return "";
+  const best = leastArea(model.planes, state.center, polygon.sides.length), now = areaOf(polygon.corners);
+  return ` Of all choices of ${polygon.sides.length} of these sides, the best has the area ${num(best, "best")}; here it is ${num(now, "now")}${best.compare(now) === 0 ? ", as good" : ""}.`;
 }
 
 function pick(target, pane, at) {

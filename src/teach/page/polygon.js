@@ -87,6 +87,21 @@ function cheapest(caps) {
   return {...tied[0], tied: tied.map(cap => cap.side.id)};
 }
 
+// The least area that so many of the halfplanes bound, by trying all choices.
+function leastArea(planes, center, count) {
+  let least = null;
+  const choose = (from, chosen) => {
+    if (chosen.length === count) {
+      const {isBounded, corners} = polygonOf(chosen, center), area = isBounded && areaOf(corners);
+      if (area && (least === null || area.compare(least) < 0)) least = area;
+      return;
+    }
+    for (let k = from; k < planes.length; ++k) choose(k + 1, [...chosen, planes[k]]);
+  };
+  choose(0, []);
+  return least;
+}
+
 // All removals, each with the polygon before it.
 function runOf(planes, center) {
   const steps = [];
