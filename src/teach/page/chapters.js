@@ -137,7 +137,7 @@ function centerChapter(center) {
       const broken = grows > 0 || (grows === 0 && value.finite.sign() > 0);
       return {
         say: isLast(step.row) ? `One more constraint asks that the radius is not negative. The best ball so far ${step.moved ? "breaks it" : "satisfies it"}.`
-          : step.moved ? `The best ball so far sticks out of halfspace ${tag(step.row)}, so the new best ball must touch plane ${tag(step.row)}. ${isFinite(after) ? `It is held by ${many(afterTight.length, "plane")} now; those that held the ball before may let go.` : "There is still no largest ball: it goes on growing."}`
+          : step.moved ? `The best ball so far sticks out of halfspace ${tag(step.row)}, so another takes its place, which plane ${tag(step.row)} holds. ${isFinite(after) ? `It is held by ${many(afterTight.length, "plane")} now; those that held the ball before may let go.` : "There is still no largest ball: it goes on growing."}`
           : `The best ball so far does not stick out of halfspace ${tag(step.row)}, so nothing changes.`,
         solid: {items: items(after, afterTight, isLast(step.row) ? undefined : step.row)},
         dual: {items: [...arrows(afterTight.filter(r => !isLast(r))), origin], radius: 1.2, name: "normals", note: "Directions of the planes that hold the ball."},
