@@ -13,9 +13,15 @@ const display = {digits: false, doubles: false, labels: lesson.halfspaces.length
 const kShort = 11;  // characters; longer fractions are shown by their first digits unless all are asked for
 const kDigits = 4;
 const isShort = text => display.digits || text.length <= kShort;
-const inText = text => isShort(text) ? text.replace("-", "\u2212") : Rational.of(text).decimal(kDigits);
+// Costs of long fractions are shown again at every step.
+const decimals = new Map();
+function decimalOf(text) {
+  if (!decimals.has(text)) decimals.set(text, Rational.of(text).decimal(kDigits));
+  return decimals.get(text);
+}
+const inText = text => isShort(text) ? text.replace("-", "\u2212") : decimalOf(text);
 const inFormula = text => {
-  if (!isShort(text)) return `<mn>${Rational.of(text).decimal(kDigits)}</mn>`;
+  if (!isShort(text)) return `<mn>${decimalOf(text)}</mn>`;
   const [n, d] = text.replace("-", "").split("/");
   return (text[0] === "-" ? "<mo form='prefix'>\u2212</mo>" : "") + (d ? `<mfrac><mn>${n}</mn><mn>${d}</mn></mfrac>` : `<mn>${n}</mn>`);
 };

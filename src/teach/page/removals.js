@@ -67,6 +67,8 @@ const dualReach = () => radiusOf([dualItem(surfaceAfter(0))]);
 // Where the digits that are shown do not tell: by how much one costs more than the cheapest.
 function dearer(value, cheapest) {
   if (!value?.exact || !cheapest?.exact) return "";
+  const [own, lowest] = [value, cheapest].map(({decimal}) => log10Of(decimal));
+  if (own - lowest > 1e-3) return "";
   const least = Rational.of(cheapest.exact), more = Rational.of(value.exact).minus(least).toNumber();
   return more > 0 && more < 1e-4 * least.toNumber() ? `dearer by ${more.toPrecision(2)}` : "";
 }
