@@ -211,11 +211,12 @@ template <std::size_t N>
   }
 }
 
-// The weights of the corners in their mean. Means of different attempts lie on a conic, so that a
-// line, and finitely many points, hold only finitely many of them.
+// The weights of the corners in their mean. With c the corners and a the attempt, the mean lies on
+// a line L = 0 if the sum of all L(c) + a L(c_1) + a^2 L(c_2) = 0. That holds for every a only if
+// the line holds c_1 and c_2, that is, a side; but then the sum is not 0. So a line holds at most
+// two means.
 inline unsigned long corner_weight(std::size_t corner, unsigned long attempt) {
-  const std::array<unsigned long, 3> weights{1, 1 + attempt, 1 + attempt * attempt};
-  return weights[corner % 3];
+  return corner == 1 ? 1 + attempt : corner == 2 ? 1 + attempt * attempt : 1;
 }
 
 // The shares of the mean of the corners, in doubles.

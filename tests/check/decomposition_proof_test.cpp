@@ -272,6 +272,8 @@ TEST_CASE("decomposition proof: the faces of a mesh file") {
   }
   CHECK(verdict_on("a.xyz", "0 0 0\n").exit_code == 1);
   CHECK(verdict_on("a.txt", "1 0 0 -1\n").exit_code == 1);
+  // Faces of one and two corners bound nothing, and the program skips them, too.
+  CHECK(verdict_on("a.obj", points + "f 1 2\n" + sides + top + "f 3\n").exit_code == 0);
   // A face turned, a face less, more, moved, repeated, or cut.
   check_says(verdict_on("a.obj", points + sides + "f 7 8 6 5\n").said, " 1 of them turned,");
   check_says(refused(points + sides), "it has fewer faces than the proof");
