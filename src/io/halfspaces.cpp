@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Files of halfspaces in any format, and plain rows, the shortest of these.
+#include <charconv>
+
 #include "convexact/io.hpp"
 #include "io/halfspace_formats.hpp"
 #include "io/output_buffer.hpp"
@@ -29,9 +31,10 @@ std::optional<std::uint32_t> read_qhull_counts(TextCursor& cursor) {
   for (std::uint32_t& count : counts) {
     if (!ahead.next_line()) return {};
     const std::string_view token = ahead.token();
-    if (token.empty() || token.find_first_not_of("0123456789") != token.npos) return {};
-    if (!ahead.token().empty()) return {};
-    count = ahead.to_count(token, "a count");
+    // (A number that is too large is no count; the file is then read, or refused, as rows.)
+    const char* const last = token.data() + token.size();
+    const auto [end, failure] = std::from_chars(token.data(), last, count);
+    if (failure != std::errc() || end != last || !ahead.token().empty()) return {};
   }
   if (counts[0] != 4) return {};
   cursor = ahead;

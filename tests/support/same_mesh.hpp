@@ -20,10 +20,18 @@ inline bool same_points(const convexact::PointSet& a, const convexact::PointSet&
   return true;
 }
 
-// Parts of points only are not written.
+// Parts of points only are not written, so two of one name may follow each other then: they are
+// one.
 inline std::vector<convexact::MeshPart> written_parts(const convexact::Mesh& mesh) {
-  std::vector<convexact::MeshPart> parts = mesh.parts;
-  std::erase_if(parts, [](const auto& part) { return part.first_polygon == part.last_polygon; });
+  std::vector<convexact::MeshPart> parts;
+  for (const convexact::MeshPart& part : mesh.parts) {
+    if (part.first_polygon == part.last_polygon) continue;
+    if (!parts.empty() && parts.back().name == part.name) {
+      parts.back().last_polygon = part.last_polygon;
+    } else {
+      parts.push_back(part);
+    }
+  }
   return parts;
 }
 
