@@ -70,7 +70,9 @@ inline Rational number_of_proof(const std::string& word) {
     return Integer(spelt.digits, 16) * power_of_two(spelt.exponent.get_si() - 4 * spelt.places);
   }
   Rational value;
-  expect(value.set_str(word, 10) == 0 && value.get_den() != 0, "a number");
+  // (GMP stops at a byte 0, and takes blanks.)
+  expect(has_only(word, "-0123456789/") && value.set_str(word, 10) == 0 && value.get_den() != 0,
+         "a number");
   value.canonicalize();
   return value;
 }
