@@ -227,24 +227,31 @@ class MeshReader {
     for (WordList words; !(words = next(lines)).empty();) add_point(words, 0);
   }
 
-  // Binary if and only if it has 84 + 50 n bytes, where bytes 80 to 83 hold n.
+  // Binary if it has 84 + 50 n bytes, where bytes 80 to 83 hold n; or more, if it is no text that
+  // names a vertex: what stands behind the last triangle is not looked at then.
   void read_stl() {
-    const BinaryType real{4, BinaryType::Real}, count{4, BinaryType::Unsigned};
-    const bool is_binary = bytes_.size() >= 84 && (bytes_.size() - 84) % 50 == 0 &&
-                           Binary(bytes_, 80, false).number(count) == (bytes_.size() - 84) / 50;
-    if (!is_binary) {
-      read_text_stl();
-      return add_stl_faces();
+    const BinaryType count{4, BinaryType::Unsigned};
+    const bool has_header = bytes_.size() >= 84;
+    const Rational triangles = has_header ? Binary(bytes_, 80, false).number(count) : Rational(0);
+    const Rational size = 84 + 50 * triangles;
+    if (!has_header || size != bytes_.size()) read_text_stl();
+    if (has_header && file.rows.empty() && size <= bytes_.size()) {
+      read_binary_stl(triangles.get_num().get_ui());
     }
-    for (Binary in(bytes_, 84, false); !in.at_end(); in.take(2)) {
-      where = "triangle " + std::to_string(file.rows.size() / 3 + 1);
+    add_stl_faces();
+  }
+  void read_binary_stl(std::size_t triangles) {
+    const BinaryType real{4, BinaryType::Real};
+    Binary in(bytes_, 84, false);
+    for (std::size_t triangle = 1; triangle <= triangles; ++triangle) {
+      where = "triangle " + std::to_string(triangle);
       in.take(12);
       for (int corner = 0; corner < 3; ++corner) {
         const Rational x = in.number(real), y = in.number(real), z = in.number(real);
         add_point(x, y, z);
       }
+      in.take(2);
     }
-    add_stl_faces();
   }
   void add_stl_faces() {
     for (std::size_t p = 0; with_faces_ && p < file.rows.size(); p += 3) {

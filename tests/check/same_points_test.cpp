@@ -120,6 +120,10 @@ TEST_CASE("same points: OFF, PLY, STL and XYZ, as text and as bytes (#13)") {
   }
   CHECK(verdict_on("a.stl", stl, 9.0) == 0);
   CHECK(verdict_on("a.stl", stl, 9.5) == 1);
+  // Bytes behind the last triangle, which the program skips with a note.
+  CHECK(verdict_on("a.stl", stl + "tail", 9.0) == 0);
+  CHECK(verdict_on("a.stl", stl + "tail", 9.5) == 1);
+  CHECK(verdict_on("a.stl", stl.substr(0, stl.size() - 1), 9.0) != 0);
   const std::string text =
       "solid vertex 1 1 1\nfacet normal 0 0 1\nouter loop\n VERTEX 0 0 0\nvertex 8 0 0\n"
       "vertex 0 8 0\nendloop\nendfacet\nfacet normal 0 0 0\nouter loop\nvertex 9 0 8\n"

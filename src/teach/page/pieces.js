@@ -74,14 +74,19 @@ const isApart = (part, corners) => part.some((a, k) => {
   return corners.every(x => cross2(along, difference(x, a)).sign() < 0);
 });
 
+// The left and the lower end, and the side, of a square that holds the points.
+function squareAround(points) {
+  const [[left, right], [low, high]] = [0, 1].map(k => points.map(p => p[k]).reduce(([a, b], x) => [a.compare(x) <= 0 ? a : x, b.compare(x) >= 0 ? b : x], [points[0][k], points[0][k]]));
+  const width = right.minus(left), height = high.minus(low);
+  return [left, low, width.compare(height) >= 0 ? width : height];
+}
+
 const kDiagonal = new Rational(99n, 70n);  // more than the root of 2, so half a square's diagonal is less than this times half its side
 
 // Squares that cover a part, divided until each is proven or as small as 2^-depth of the first. "within": the middle is so
 // near that the whole square is; "beyond": the middle is a point of the part that is farther; "open": neither.
 function squaresOver(part, polygon, distance, depth) {
-  const bounds = [0, 1].map(k => part.map(p => p[k]).reduce(([a, b], x) => [a.compare(x) <= 0 ? a : x, b.compare(x) >= 0 ? b : x], [part[0][k], part[0][k]]));
-  const sizes = bounds.map(([a, b]) => b.minus(a)), half = (sizes[0].compare(sizes[1]) >= 0 ? sizes[0] : sizes[1]).over(two);
-  const found = [];
+  const [begin, low, side] = squareAround(part), half = side.over(two), found = [];
   const visit = (middle, r, left) => {
     const corners = [[-1n, -1n], [1n, -1n], [1n, 1n], [-1n, 1n]].map(signs => middle.map((x, k) => x.plus(r.times(new Rational(signs[k])))));
     if (isApart(part, corners)) return;
@@ -91,7 +96,7 @@ function squaresOver(part, polygon, distance, depth) {
     else if (left === 0) found.push({...square, state: "open"});
     else for (const corner of corners) visit(middle.map((x, k) => x.plus(corner[k]).over(two)), r.over(two), left - 1);
   };
-  visit(bounds.map(([a, b]) => a.plus(b).over(two)), half, depth);
+  visit([begin, low].map(x => x.plus(half)), half, depth);
   return found;
 }
 // "within" if all squares are; "beyond" if one is; else "open".
@@ -109,13 +114,10 @@ function farPoint(part, polygon) {
     const b = part[(k + 1) % part.length];
     for (let i = 0n; i < 16n; ++i) consider(a.map((x, j) => x.plus(b[j].minus(x).times(new Rational(i, 16n)))));
   });
-  const bounds = [0, 1].map(k => part.map(p => p[k].toNumber())).map(xs => [Math.min(...xs), Math.max(...xs)]);
-  const half = Math.max(...bounds.map(([a, b]) => (b - a) / 2));
-  const start = part.map(p => p[0]).reduce((a, b) => a.compare(b) <= 0 ? a : b), low = part.map(p => p[1]).reduce((a, b) => a.compare(b) <= 0 ? a : b);
-  const queue = [{u: 0n, v: 0n, level: 0n}], step = new Rational(BigInt(Math.ceil(half * 2 * 1024)), 1024n);
+  const [left, low, whole] = squareAround(part), queue = [{u: 0n, v: 0n, level: 0n}];
   while (queue.length) {
-    const {u, v, level} = queue.pop(), side = step.over(new Rational(1n << level)), middle = [start, low].map((x, k) => x.plus(side.times(new Rational(2n * [u, v][k] + 1n, 2n))));
-    const corners = [[0n, 0n], [1n, 0n], [1n, 1n], [0n, 1n]].map(([i, j]) => [start.plus(side.times(new Rational(u + i))), low.plus(side.times(new Rational(v + j)))]);
+    const {u, v, level} = queue.pop(), side = whole.over(new Rational(1n << level)), middle = [left, low].map((x, k) => x.plus(side.times(new Rational(2n * [u, v][k] + 1n, 2n))));
+    const corners = [[0n, 0n], [1n, 0n], [1n, 1n], [0n, 1n]].map(([i, j]) => [left.plus(side.times(new Rational(u + i))), low.plus(side.times(new Rational(v + j)))]);
     if (isApart(part, corners)) continue;
     consider(middle);
     const reach = Math.sqrt(squaredTo(polygon, middle).toNumber()) + side.toNumber() * 0.7072;
