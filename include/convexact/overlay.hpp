@@ -144,7 +144,8 @@ enum class PartMeasures {
 
 /// The volumes of parts and of the solid that a surface encloses.
 struct DecompositionMeasures {
-  std::optional<Measured> solid_volume;      ///< Of the surface; none if it encloses none.
+  /// Of the surface; none if it encloses none, or if parts of Cut are asked for Uncovered only.
+  std::optional<Measured> solid_volume;
   std::optional<Measured> uncovered_volume;  ///< Of the solid outside of the union.
   // Of PartMeasures::All only:
   std::optional<Measured> excess_volume;  ///< Of the union outside of the solid.

@@ -88,7 +88,7 @@ class PartitionProof : public SurfaceProof {
   }
 
   // (15) The nodes in preorder: a plane cuts a region into two, or one part holds what it has.
-  void read_node(Polygons region, Polygons pieces, std::size_t depth) {
+  void read_node(const Polygons& region, const Polygons& pieces, std::size_t depth) {
     static constexpr std::size_t kDeepest = 10000;
     expect(words_.take_if("node") && depth < kDeepest, "node");
     if (words_.take_if("part")) {
@@ -126,8 +126,8 @@ class PartitionProof : public SurfaceProof {
     for (const bool is_upper : {false, true}) {
       add_cut(halves[is_upper], plane, sides);
     }
-    read_node(std::move(halves[0]), std::move(pieces_of[0]), depth + 1);
-    read_node(std::move(halves[1]), std::move(pieces_of[1]), depth + 1);
+    read_node(halves[0], pieces_of[0], depth + 1);
+    read_node(halves[1], pieces_of[1], depth + 1);
   }
 
   // (17) Between each two parts a direction, along which they have no more in common than twice the

@@ -117,7 +117,7 @@ std::string DecomposeFiles::add_missing_folder() {
   if (model == results.end() || std::any_of(results.begin(), results.end(), is_folder)) return "";
   const std::string name = model_name(*model, parts_output_of(*model)) + "_parts/";
   const std::string folder = (fs::path(*model).parent_path() / name).string();
-  const std::string said = *model + " names the files of the parts, which are in " + folder;
+  std::string said = *model + " names the files of the parts, which are in " + folder;
   results.push_back(folder);
   return said;
 }

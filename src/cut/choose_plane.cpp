@@ -5,27 +5,34 @@
 #include <array>
 #include <cmath>
 #include <compare>
-#include <numeric>
 #include <set>
 #include <tuple>
 
 #include "hull/near_solid.hpp"
+#include "surface/box_tree.hpp"
 
 namespace convexact {
 namespace {
 
-// Half of the directions to the cells around one, or around 27 of them, each once.
-std::vector<Point> half_of_directions(int longest) {
+// The axes and the diagonals of a cube and its faces, one of each two opposite ones.
+std::vector<Point> half_of_directions() {
   std::vector<Point> list;
-  for (int u = 0; u <= longest; ++u) {
-    for (int v = -longest; v <= longest; ++v) {
-      for (int w = -longest; w <= longest; ++w) {
-        const bool is_first = std::tuple(u, v, w) > std::tuple(0, 0, 0);
-        const int common = std::gcd(std::gcd(u, v), w);
-        if (is_first && common == 1) list.emplace_back(u, v, w);
+  for (int u = 0; u <= 1; ++u) {
+    for (int v = -1; v <= 1; ++v) {
+      for (int w = -1; w <= 1; ++w) {
+        if (std::tuple(u, v, w) > std::tuple(0, 0, 0)) list.emplace_back(u, v, w);
       }
     }
   }
+  return list;
+}
+
+// Those of some points, each once.
+std::vector<Point> chosen_of(const std::vector<Point>& points, std::vector<std::size_t> chosen) {
+  std::sort(chosen.begin(), chosen.end());
+  chosen.erase(std::unique(chosen.begin(), chosen.end()), chosen.end());
+  std::vector<Point> list;
+  for (const std::size_t k : chosen) list.push_back(points[k]);
   return list;
 }
 
@@ -44,11 +51,52 @@ std::vector<Point> extremes_of(const std::vector<Point>& points,
     found.push_back(lowest);
     found.push_back(highest);
   }
-  std::sort(found.begin(), found.end());
-  found.erase(std::unique(found.begin(), found.end()), found.end());
-  std::vector<Point> extremes;
-  for (const std::size_t k : found) extremes.push_back(points[k]);
-  return extremes;
+  return chosen_of(points, std::move(found));
+}
+
+NearBox box_of(const std::vector<Point>& points) {
+  NearBox box;
+  for (const Point& y : points) box.include(y);
+  return box;
+}
+
+double size_of(const std::vector<Point>& points) {
+  const NearBox box = box_of(points);
+  return (box.high - box.low).norm();
+}
+
+// The cell that a vector points to, of a cube whose sides have n x n cells.
+std::size_t cell_towards(const Point& to, std::size_t n) {
+  int axis = 0;
+  const double most = to.cwiseAbs().maxCoeff(&axis);
+  std::size_t cell = 2 * static_cast<std::size_t>(axis) + (to[axis] > 0 ? 1 : 0);
+  for (const int other : {(axis + 1) % 3, (axis + 2) % 3}) {
+    const double share = (to[other] / most + 1) / 2;
+    cell = cell * n + std::min(static_cast<std::size_t>(share * static_cast<double>(n)), n - 1);
+  }
+  return cell;
+}
+
+// In each such cell, seen from the middle of the points' box, the farthest point; the box counts as
+// a cube. Far more of them than of extremes are found in the same time.
+std::vector<Point> farthest_of(const std::vector<Point>& points, std::size_t n) {
+  const NearBox box = box_of(points);
+  const Point middle = (box.low + box.high) / 2, size = box.high - box.low;
+  constexpr std::size_t kNone = ~std::size_t{0};
+  std::vector<std::pair<double, std::size_t>> farthest(6 * n * n, {0, kNone});
+  for (std::size_t k = 0; k < points.size(); ++k) {
+    Point to = points[k] - middle;
+    for (int axis = 0; axis < 3; ++axis) to[axis] = size[axis] > 0 ? to[axis] / size[axis] : 0;
+    const double distance = to.squaredNorm();
+    if (!(distance > 0)) continue;
+    auto& cell = farthest[cell_towards(to, n)];
+    if (distance > cell.first) cell = {distance, k};
+  }
+  std::vector<std::size_t> found;
+  for (const auto& [distance, point] : farthest) {
+    if (point != kNone) found.push_back(point);
+  }
+  return chosen_of(points, std::move(found));
 }
 
 // On a grid that is far coarser than doubles. Points that lie in a cutting plane but for their last
@@ -204,15 +252,6 @@ NearSolid hull_around(const NearSolid& inner, const std::vector<Point>& points) 
   return near_solid(outer);
 }
 
-double box_size(const std::vector<Point>& points) {
-  Point low = points.front(), high = low;
-  for (const Point& y : points) {
-    low = low.cwiseMin(y);
-    high = high.cwiseMax(y);
-  }
-  return (high - low).norm();
-}
-
 // Planes that are judged by few points at first, and by more where these do not rule them out.
 class PlaneChoice {
  public:
@@ -221,7 +260,7 @@ class PlaneChoice {
       : own_(leaf, points), far_(far), planes_(planes), winding_(winding) {
     // Volumes are compared in units of which a billion make the leaf's: those that are equal but
     // for rounding are equal.
-    whole_ = hull_around(near_solid(extremes_of(own_.near(), many_)), own_.near()).volume;
+    whole_ = hull_around(near_solid(farthest_of(own_.near(), kFew)), own_.near()).volume;
   }
 
   std::optional<std::size_t> best(const Watch& watch) {
@@ -232,22 +271,25 @@ class PlaneChoice {
     }
     while (!queue_.empty()) {
       watch.ask();
-      const Candidate first = queue_.extract(queue_.begin()).value();
+      Candidate first = std::move(queue_.extract(queue_.begin()).value());
       if (first.level == kLevels) return first.plane;
-      judge(first.plane, first.level + 1, first.hulls, own_.halves(planes_[first.plane]));
+      judge(first.plane, first.level + 1, std::move(first.hulls),
+            own_.halves(planes_[first.plane]));
     }
     return {};
   }
 
  private:
-  static constexpr int kLevels = 2;  // hulls of 26 points, of 98, of all
+  // Hulls of extremes, of a few hundred points, of some more, of all.
+  static constexpr int kLevels = 3;
+  static constexpr std::size_t kFew = 6, kMany = 18;
 
   struct Candidate {
     Judged judged;
     double size;
     std::uint32_t plane;
     int level;
-    std::array<NearSolid, 2> hulls;
+    std::array<NearSolid, 2> hulls;  // of few points
 
     friend bool operator<(const Candidate& a, const Candidate& b) {
       return std::tie(a.judged, a.size, a.plane, a.level) <
@@ -255,20 +297,35 @@ class PlaneChoice {
     }
   };
 
-  // @param inner  Hulls of the halves as they were judged before.
-  void judge(std::uint32_t plane, int level, const std::array<NearSolid, 2>& inner,
+  // Lies in the hull of the points, which the last level has.
+  // @param inner  Of few of the points, once that is known.
+  NearSolid hull_at(int level, const std::vector<Point>& points, const NearSolid& inner) const {
+    switch (level) {
+      case 0:
+        return near_solid(extremes_of(points, directions_));
+      case 1:
+        return near_solid(farthest_of(points, kFew));
+      case 2:
+        return near_solid(farthest_of(points, kMany));
+      default:
+        return hull_around(inner, points);
+    }
+  }
+
+  // @param inner  Hulls of few points of the halves, once they are known.
+  void judge(std::uint32_t plane, int level, std::array<NearSolid, 2> inner,
              LeafPoints::Halves halves) {
-    Candidate made{{}, 0, plane, level, {}};
+    Candidate made{{}, 0, plane, level, std::move(inner)};
     std::vector<Point> more;
     if (level == kLevels) more = own_.new_corners(planes_[plane], winding_);
     for (std::size_t k = 0; k < 2; ++k) {
       std::vector<Point>& half = halves[k];
       half.insert(half.end(), more.begin(), more.end());
-      made.hulls[k] = level == kLevels ? hull_around(inner[k], half)
-                                       : near_solid(extremes_of(half, level == 0 ? few_ : many_));
-      made.judged.add(made.hulls[k], far_);
+      NearSolid hull = hull_at(level, half, made.hulls[k]);
+      made.judged.add(hull, far_);
+      if (level == 1) made.hulls[k] = std::move(hull);
       // What is flat has no volume: then smaller is better.
-      if (!(whole_ > 0)) made.size += box_size(half);
+      if (!(whole_ > 0)) made.size += size_of(half);
     }
     // A bound is rounded down, so that it does not come after what it bounds.
     const double units = whole_ > 0 ? made.judged.volume / whole_ * 0x1p30 : 0;
@@ -280,7 +337,7 @@ class PlaneChoice {
   const Point& far_;
   std::span<const CutPlane> planes_;
   const Winding* winding_;
-  const std::vector<Point> few_ = half_of_directions(1), many_ = half_of_directions(2);
+  const std::vector<Point> directions_ = half_of_directions();
   double whole_ = 0;
   std::set<Candidate> queue_;
 };

@@ -17,8 +17,8 @@ namespace convexact {
 /// @param far      The point of the leaf's hull to get rid of, in the frame.
 /// @param winding  Null for an open surface.
 /// @return An index into `planes`.
-/// @par Cost  For each plane the leaf's edges, and hulls of 26 points; hulls of 98, and then of all
-///            points, where these do not rule the plane out.
+/// @par Cost  For each plane the leaf's edges, and hulls of 26 points; hulls of up to 216, of 1,944
+///            and then of all points, where these do not rule the plane out.
 [[nodiscard]] std::optional<std::size_t> choose_plane(const Leaf& leaf, const Point& far,
                                                       std::span<const CutPlane> planes,
                                                       const CutPoints& points,

@@ -42,26 +42,42 @@ void add_share(Arrangement<3>& arrangement, const ConvexPiece<3>& piece, long bi
 
 }  // namespace
 
+Rational SixVolumes::cone(const std::array<RationalPoint, 3>& triangle, bool looks_out) const {
+  const RationalVector3 a = triangle[0] - origin_, b = triangle[1] - origin_,
+                        c = triangle[2] - origin_;
+  const Rational outward = a.dot(b.cross(c));
+  return looks_out ? outward : Rational(-outward);
+}
+
 void SixVolumes::add(Arrangement<3>& arrangement, std::span<const ConvexPiece<3>> pieces,
                      bool looks_out) {
   is_empty_ = is_empty_ && pieces.empty();
-  RationalVector3 arm[3];
+  std::array<RationalPoint, 3> triangle;
   for (std::size_t k = 0; k < 3; ++k) {
     const HomogeneousPoint& p = arrangement.frame()[k];
-    for (int i = 0; i < 3; ++i) arm[k][i] = Rational(p.n[i], p.w) - origin_[i];
+    for (int i = 0; i < 3; ++i) triangle[k][i] = Rational(p.n[i], p.w);
   }
-  Rational cone = arm[0].dot(arm[1].cross(arm[2]));
-  if (!looks_out) cone = -cone;
-  if (cone == 0) return;
+  const Rational whole = cone(triangle, looks_out);
+  if (whole == 0) return;
   if (exact_) {
     for (const ConvexPiece<3>& piece : pieces)
-      terms_.push_back(cone * share_of(arrangement, piece));
+      terms_.push_back(whole * share_of(arrangement, piece));
     return;
   }
   Integer share = 0, error = 0;
   for (const ConvexPiece<3>& piece : pieces) add_share(arrangement, piece, bits_, share, error);
   const auto end = [&](const Integer& x) { return scale_by_power_of_two(Rational(x), -2 * bits_); };
-  sum_ += Enclosure(cone, bits_) * Enclosure(end(share - error), end(share + error), bits_);
+  sum_ += Enclosure(whole, bits_) * Enclosure(end(share - error), end(share + error), bits_);
+}
+
+void SixVolumes::add(const std::array<RationalPoint, 3>& triangle, bool looks_out) {
+  is_empty_ = false;
+  Rational whole = cone(triangle, looks_out);
+  if (exact_) {
+    terms_.push_back(std::move(whole));
+  } else {
+    sum_ += Enclosure(whole, bits_);
+  }
 }
 
 Measured measure_inside(const RationalPoint& origin, long precision, bool exact,

@@ -2,6 +2,7 @@
 // six_volumes.hpp - volumes as sums over a boundary: of a piece of the plane through a, b, c, the
 // cone from a point o has det(a - o, b - o, c - o) / 6 times the piece's share of the triangle.
 #pragma once
+#include <array>
 #include <functional>
 #include <span>
 #include <vector>
@@ -20,12 +21,16 @@ class SixVolumes {
   /// Adds pieces of the boundary, which faces the same way as the frame's triangle, or the opposite
   /// way.
   void add(Arrangement<3>& arrangement, std::span<const ConvexPiece<3>> pieces, bool looks_out);
+  /// Adds a whole triangle.
+  void add(const std::array<RationalPoint, 3>& triangle, bool looks_out);
 
   bool is_empty() const { return is_empty_; }
   const Enclosure& bounds() const { return sum_; }
   Rational exact() { return balanced_sum(std::move(terms_)); }
 
  private:
+  Rational cone(const std::array<RationalPoint, 3>& triangle, bool looks_out) const;
+
   RationalPoint origin_;
   long bits_;
   bool exact_;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "overlay/solid_boundary.hpp"
 
+#include "surface/flat_polygon.hpp"
 #include "surface/patches.hpp"
 
 namespace convexact {
@@ -9,14 +10,15 @@ namespace {
 class Walk {
  public:
   Walk(const Surface& surface, const Winding& winding, std::span<const ConvexPart> parts,
-       long exponent, const std::function<bool(const SolidPiece&)>& visit, const Watch& watch)
+       long exponent, const BoundaryVisitor& visitor, const Watch& watch)
       : surface_(surface, exponent),
         winding_(winding),
         patches_(find_patches(surface, watch)),
         beside_(surface.triangles.size()),
         union_(parts, exponent),
         holders_(union_.holders(surface_.points(), watch)),
-        visit_(visit),
+        visitor_(visitor),
+        whole_triangles_(parts.empty() && visitor.whole),
         watch_(watch) {}
 
   void run() {
@@ -49,6 +51,7 @@ class Walk {
   bool triangle(std::size_t t) {
     const auto corners = surface_.corners(t);
     if (patches_.repeats_last[t]) return true;  // its pieces count for the first of them
+    if (whole_triangles_ && !patches_.is_crossed[t]) return whole_triangle(t);
     if (holders_.any_holds(corners)) return true;
     const LaidSurface::Walls* walls = surface_.walls(t);
     if (walls == nullptr) return true;
@@ -63,7 +66,7 @@ class Walk {
       const RationalPoint x = clear_point(rest->arrangement, piece, related, inside);
       const auto [before, behind] = winding_.beside(TriangleId(t), x);
       if (!is_boundary(before, behind)) continue;
-      if (!visit_({rest->arrangement, piece, walls->plane, x, behind != 0})) return false;
+      if (!visitor_.piece({rest->arrangement, piece, walls->plane, x, behind != 0})) return false;
     }
     return true;
   }
@@ -79,6 +82,28 @@ class Walk {
     return *known;
   }
 
+  // One without area adds nothing.
+  bool whole_triangle(std::size_t t) {
+    std::optional<std::pair<long, long>>& known = beside_[patches_.patch[t]];
+    if (!known) {
+      const std::optional<RationalPoint> x = inside_of(t);
+      if (!x) return true;
+      known = winding_.beside(TriangleId(t), *x);
+    }
+    const auto [before, behind] = *known;
+    if (is_boundary(before, behind)) visitor_.whole(TriangleId(t), behind != 0);
+    return true;
+  }
+
+  // Its centroid; nothing for a triangle without area.
+  std::optional<RationalPoint> inside_of(std::size_t t) const {
+    const PointSet& points = surface_.surface().points;
+    const auto& corners = surface_.surface().triangles[t];
+    if (area_vector(points, corners).isZero()) return {};
+    const RationalPoint sum = points[corners[0]] + points[corners[1]] + points[corners[2]];
+    return RationalPoint(sum / Rational(3));
+  }
+
   // Nothing crosses the triangle: its patch has the same winding numbers everywhere.
   bool plain_triangle(std::size_t t, const LaidSurface::Walls& walls, PlanePieces& rest) {
     const auto inside_of = [&](const ConvexPiece<3>& piece) {
@@ -88,7 +113,7 @@ class Walk {
     if (!is_boundary(before, behind)) return true;
     for (const ConvexPiece<3>& piece : rest.pieces) {
       watch_.ask();
-      if (!visit_({rest.arrangement, piece, walls.plane, inside_of(piece), behind != 0})) {
+      if (!visitor_.piece({rest.arrangement, piece, walls.plane, inside_of(piece), behind != 0})) {
         return false;
       }
     }
@@ -110,7 +135,7 @@ class Walk {
       const RationalPoint x = clear_point(rest->arrangement, piece, related, inside);
       if (!is_plain || !outside) outside = winding_before(plane, x, inside);
       if (*outside == 0) continue;
-      if (!visit_({rest->arrangement, piece, plane, x, false})) return false;
+      if (!visitor_.piece({rest->arrangement, piece, plane, x, false})) return false;
     }
     return true;
   }
@@ -134,7 +159,8 @@ class Walk {
   std::vector<std::optional<std::pair<long, long>>> beside_;  // by patch, once it is known
   UnionBoundary union_;
   Holders holders_;
-  const std::function<bool(const SolidPiece&)>& visit_;
+  const BoundaryVisitor& visitor_;
+  bool whole_triangles_;
   const Watch& watch_;
   std::size_t done_ = 0, steps_ = 0;
 };
@@ -143,9 +169,8 @@ class Walk {
 
 void visit_uncovered_boundary(const Surface& surface, const Winding& winding,
                               std::span<const ConvexPart> parts, long exponent,
-                              const std::function<bool(const SolidPiece&)>& visit,
-                              const Watch& watch) {
-  Walk(surface, winding, parts, exponent, visit, watch).run();
+                              const BoundaryVisitor& visitor, const Watch& watch) {
+  Walk(surface, winding, parts, exponent, visitor, watch).run();
 }
 
 long common_exponent(const Surface& surface, std::span<const ConvexPart> parts) {

@@ -25,12 +25,17 @@ struct SolidPiece {
                            ///< faces.
 };
 
-/// Calls `visit` with each piece, until it returns false.
+struct BoundaryVisitor {
+  /// Called with each piece until it returns false.
+  std::function<bool(const SolidPiece&)> piece;
+  /// If there are no parts: called instead with triangles that nothing crosses, as a whole.
+  std::function<void(TriangleId triangle, bool looks_out)> whole = {};
+};
+
 /// @throws Error Stopped when the watch ends the call.
 void visit_uncovered_boundary(const Surface& surface, const Winding& winding,
                               std::span<const ConvexPart> parts, long exponent,
-                              const std::function<bool(const SolidPiece&)>& visit,
-                              const Watch& watch);
+                              const BoundaryVisitor& visitor, const Watch& watch);
 
 /// common_exponent() of the surface and the parts.
 [[nodiscard]] long common_exponent(const Surface& surface, std::span<const ConvexPart> parts);

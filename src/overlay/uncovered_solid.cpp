@@ -99,7 +99,7 @@ std::optional<UncoveredSolid> find_uncovered_solid(const Surface& surface, const
     found = search.near(piece.x, piece.looks_out ? IntegerVector3(-n) : n);
     return false;
   };
-  visit_uncovered_boundary(surface, winding, parts, exponent, visit, watch);
+  visit_uncovered_boundary(surface, winding, parts, exponent, {visit}, watch);
   return found;
 }
 
@@ -115,7 +115,11 @@ Measured uncovered_volume(const Surface& surface, const Winding& winding,
       sum.add(p.arrangement, std::span(&p.piece, 1), p.looks_out);
       return true;
     };
-    visit_uncovered_boundary(surface, winding, parts, exponent, visit, watch);
+    const auto add_whole = [&](TriangleId t, bool looks_out) {
+      const auto& [a, b, c] = surface.triangles[t.index()];
+      sum.add({surface.points[a], surface.points[b], surface.points[c]}, looks_out);
+    };
+    visit_uncovered_boundary(surface, winding, parts, exponent, {visit, add_whole}, watch);
   };
   return measure_inside(bounding_box(surface.points).middle(), precision, exact, add_boundary);
 }

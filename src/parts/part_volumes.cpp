@@ -27,6 +27,10 @@ Measured volume_of_parts(const std::vector<ConvexPart>& parts, bool exact) {
   return total;
 }
 
+Measured nothing(bool exact) {
+  return {Enclosure(kMeasureBits), exact ? std::optional<Rational>(0) : std::nullopt};
+}
+
 }  // namespace
 
 DecompositionMeasures measure_volumes(const Surface& surface, const std::vector<ConvexPart>& parts,
@@ -48,12 +52,16 @@ DecompositionMeasures measure_volumes(const Surface& surface, const std::vector<
     log.skip("solid's volumes", "the faces of the input do not close");
     return found;
   }
+  if (hold_solid && wanted == PartMeasures::Uncovered) {
+    log.skip("solid's volumes", "the parts are proven to hold the solid");
+    found.uncovered_volume = nothing(exact);
+    return found;
+  }
   log.run("solid's volumes", [&] {
     const Watch watch = log.watch("solid's volumes");
     found.solid_volume = solid_volume(surface, kMeasureBits, exact, watch);
     if (hold_solid) {
-      found.uncovered_volume = {Enclosure(kMeasureBits),
-                                exact ? std::optional<Rational>(0) : std::nullopt};
+      found.uncovered_volume = nothing(exact);
     } else {
       found.uncovered_volume =
           uncovered_volume(surface, Winding(surface), parts, kMeasureBits, exact, watch);

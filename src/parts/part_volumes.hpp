@@ -11,7 +11,8 @@ namespace convexact {
 /// Solid, uncovered and excess volume only of a closed surface.
 /// @param wanted  Not None.
 /// @param exact   Fractions, too.
-/// @param hold_solid  The parts are proven to hold the solid: nothing of it is uncovered.
+/// @param hold_solid  The parts are proven to hold the solid: nothing of it is uncovered, and if no
+///                    more is wanted, nothing is measured.
 [[nodiscard]] DecompositionMeasures measure_volumes(const Surface& surface,
                                                     const std::vector<ConvexPart>& parts,
                                                     PartMeasures wanted, bool exact, StageLog& log,

@@ -100,8 +100,8 @@ Fields<DecomposeRequest> make_fields() {
       choice_field<R>("loose", &R::loose, kLoosePointsNames,
                       "points that no face uses go to the nearest part, or are refused"),
       choice_field<R>("engine", &R::engine, kEngineNames,
-                      "hacd and cut: rationals everywhere; the same parts, faster; or doubles that "
-                      "choose, the parts still proven"),
+                      "hacd and cut: rationals everywhere, or the same parts, faster; hacd only: "
+                      "doubles that choose, the parts still proven"),
       choice_field<R>("precision", &R::precision, kBitsNames,
                       "the numbers of the parts: binary64, or rounded outward to binary32")};
   for (Field<R>& field : fields) {

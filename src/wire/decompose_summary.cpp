@@ -228,7 +228,7 @@ std::string apart_line(const Decomposition& decomposition) {
 // What the solid lacks, first of all: a result with voids does not begin with what it covers.
 std::string hollow_line(const Decomposition& decomposition) {
   const auto& measures = decomposition.measures;
-  if (!measures || !measures->solid_volume) return "";
+  if (!measures || !measures->uncovered_volume) return "";
   const Enclosure& uncovered = measures->uncovered_volume->bounds;
   if (uncovered.high() <= 0) {
     return summary_line("hollow", "nothing: the parts hold the solid");
