@@ -88,8 +88,8 @@ struct MassProperties {
 
 /// Finds the nearest point of one polytope. Space outside is divided into the regions of points
 /// that are nearest to one facet, edge or vertex; each is bounded by planes, so that only signs of
-/// integers are needed to find the right one, and the result proves itself. Not for several threads
-/// at once.
+/// integers are needed to find the right one, and the result proves itself. Any threads may ask at
+/// the same time.
 /// @par Source  [LinCanny1991]; [Rockafellar1970, thm. 27.4] for the proof.
 class NearestPoint {
  public:

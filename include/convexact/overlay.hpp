@@ -166,7 +166,7 @@ struct NearestPart {
 };
 
 /// Distances of points to the union of convex parts of any dimension: solids, polygons, segments
-/// and points. Not for several threads at once.
+/// and points. Any threads may ask at the same time.
 class UnionDistance {
  public:
   /// Keeps a reference to the parts. @throws Error InvalidArgument if there is none.

@@ -3,13 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <atomic>
-#include <exception>
 #include <filesystem>
 #include <limits>
-#include <mutex>
 #include <optional>
-#include <thread>
 
 #include "conform/conformance_judge.hpp"
 #include "conform/program.hpp"
@@ -20,6 +16,7 @@
 #include "convexact/io.hpp"
 #include "convexact/verify.hpp"
 #include "scene/time_limit.hpp"
+#include "task/parallel.hpp"
 
 namespace convexact {
 
@@ -237,37 +234,6 @@ RunResult run_vector(const TestVector& vector, const ConformRun& options) {
     options.on_failure({given, *bytes, faces, output, run, entry});
   }
   return entry;
-}
-
-// Calls work(i) for each i below count, in `jobs` threads, and finished(count) after each. The
-// exception of the lowest i is thrown again.
-void for_each_in_parallel(std::size_t count, std::size_t jobs,
-                          const std::function<void(std::size_t)>& work,
-                          const std::function<void(std::size_t)>& finished) {
-  std::atomic<std::size_t> next = 0;
-  std::atomic<bool> has_failed = false;
-  std::vector<std::exception_ptr> errors(count);
-  std::mutex mutex;  // of `finished` and `done`
-  std::size_t done = 0;
-  const auto run = [&] {
-    for (std::size_t i = next++; i < count && !has_failed; i = next++) {
-      try {
-        work(i);
-      } catch (...) {
-        errors[i] = std::current_exception();
-        has_failed = true;
-      }
-      const std::lock_guard lock(mutex);
-      finished(++done);
-    }
-  };
-  std::vector<std::thread> threads;
-  for (std::size_t k = 1; k < std::min(jobs, count); ++k) threads.emplace_back(run);
-  run();
-  for (std::thread& thread : threads) thread.join();
-  for (const std::exception_ptr& error : errors) {
-    if (error) std::rethrow_exception(error);
-  }
 }
 
 }  // namespace

@@ -10,6 +10,7 @@
 
 #include "hull/near_solid.hpp"
 #include "surface/box_tree.hpp"
+#include "task/parallel.hpp"
 
 namespace convexact {
 namespace {
@@ -256,25 +257,30 @@ NearSolid hull_around(const NearSolid& inner, const std::vector<Point>& points) 
 class PlaneChoice {
  public:
   PlaneChoice(const Leaf& leaf, const Point& far, std::span<const CutPlane> planes,
-              const CutPoints& points, const Winding* winding)
-      : own_(leaf, points), far_(far), planes_(planes), winding_(winding) {
+              const CutPoints& points, const Winding* winding, std::size_t jobs)
+      : own_(leaf, points),
+        far_(far),
+        planes_(planes),
+        winding_(winding),
+        jobs_(own_.near().size() < kFewForThreads ? 1 : jobs) {
     // Volumes are compared in units of which a billion make the leaf's: those that are equal but
     // for rounding are equal.
     whole_ = hull_around(near_solid(farthest_of(own_.near(), kFew)), own_.near()).volume;
   }
 
+  // With several threads some planes are judged further that the best one would have ruled out; it
+  // is the same one.
   std::optional<std::size_t> best(const Watch& watch) {
-    for (std::uint32_t k = 0; k < planes_.size(); ++k) {
-      watch.ask();
-      const LeafPoints::Halves halves = own_.halves(planes_[k]);
-      if (!halves[0].empty() && !halves[1].empty()) judge(k, 0, {}, halves);
-    }
+    std::vector<Candidate> open(planes_.size());
+    for (std::uint32_t k = 0; k < planes_.size(); ++k) open[k].plane = k;
+    judge(open, watch);
     while (!queue_.empty()) {
-      watch.ask();
-      Candidate first = std::move(queue_.extract(queue_.begin()).value());
-      if (first.level == kLevels) return first.plane;
-      judge(first.plane, first.level + 1, std::move(first.hulls),
-            own_.halves(planes_[first.plane]));
+      if (queue_.begin()->level == kLevels) return queue_.begin()->plane;
+      open.clear();
+      while (open.size() < jobs_ && !queue_.empty() && queue_.begin()->level < kLevels) {
+        open.push_back(std::move(queue_.extract(queue_.begin()).value()));
+      }
+      judge(open, watch);
     }
     return {};
   }
@@ -283,13 +289,15 @@ class PlaneChoice {
   // Hulls of extremes, of a few hundred points, of some more, of all.
   static constexpr int kLevels = 3;
   static constexpr std::size_t kFew = 6, kMany = 18;
+  // Below that many points a thread takes longer to start than to judge.
+  static constexpr std::size_t kFewForThreads = 1000;
 
   struct Candidate {
     Judged judged;
-    double size;
-    std::uint32_t plane;
-    int level;
-    std::array<NearSolid, 2> hulls;  // of few points
+    double size = 0;
+    std::uint32_t plane = 0;
+    int level = -1;                  // by which it was judged
+    std::array<NearSolid, 2> hulls;  // of few points, once they are known
 
     friend bool operator<(const Candidate& a, const Candidate& b) {
       return std::tie(a.judged, a.size, a.plane, a.level) <
@@ -312,31 +320,46 @@ class PlaneChoice {
     }
   }
 
-  // @param inner  Hulls of few points of the halves, once they are known.
-  void judge(std::uint32_t plane, int level, std::array<NearSolid, 2> inner,
-             LeafPoints::Halves halves) {
-    Candidate made{{}, 0, plane, level, std::move(inner)};
+  // Judges planes by the next level. One that has all points on one side is none.
+  void judge(std::vector<Candidate>& open, const Watch& watch) {
+    std::vector<unsigned char> cuts(open.size(), 0);
+    for_each_in_parallel(open.size(), jobs_, [&](std::size_t i) {
+      watch.ask();
+      cuts[i] = judge(open[i]) ? 1 : 0;
+    });
+    for (std::size_t i = 0; i < open.size(); ++i) {
+      if (cuts[i] != 0) queue_.insert(std::move(open[i]));
+    }
+  }
+
+  bool judge(Candidate& made) const {
+    LeafPoints::Halves halves = own_.halves(planes_[made.plane]);
+    if (halves[0].empty() || halves[1].empty()) return false;
+    ++made.level;
+    made.judged = {};
+    made.size = 0;
     std::vector<Point> more;
-    if (level == kLevels) more = own_.new_corners(planes_[plane], winding_);
+    if (made.level == kLevels) more = own_.new_corners(planes_[made.plane], winding_);
     for (std::size_t k = 0; k < 2; ++k) {
       std::vector<Point>& half = halves[k];
       half.insert(half.end(), more.begin(), more.end());
-      NearSolid hull = hull_at(level, half, made.hulls[k]);
+      NearSolid hull = hull_at(made.level, half, made.hulls[k]);
       made.judged.add(hull, far_);
-      if (level == 1) made.hulls[k] = std::move(hull);
+      if (made.level == 1) made.hulls[k] = std::move(hull);
       // What is flat has no volume: then smaller is better.
       if (!(whole_ > 0)) made.size += size_of(half);
     }
     // A bound is rounded down, so that it does not come after what it bounds.
     const double units = whole_ > 0 ? made.judged.volume / whole_ * 0x1p30 : 0;
-    made.judged.volume = level == kLevels ? std::round(units) : std::floor(units - 1);
-    queue_.insert(std::move(made));
+    made.judged.volume = made.level == kLevels ? std::round(units) : std::floor(units - 1);
+    return true;
   }
 
   const LeafPoints own_;
   const Point& far_;
   std::span<const CutPlane> planes_;
   const Winding* winding_;
+  const std::size_t jobs_;
   const std::vector<Point> directions_ = half_of_directions();
   double whole_ = 0;
   std::set<Candidate> queue_;
@@ -346,8 +369,9 @@ class PlaneChoice {
 
 std::optional<std::size_t> choose_plane(const Leaf& leaf, const Point& far,
                                         std::span<const CutPlane> planes, const CutPoints& points,
-                                        const Winding* winding, const Watch& watch) {
-  return PlaneChoice(leaf, far, planes, points, winding).best(watch);
+                                        const Winding* winding, std::size_t jobs,
+                                        const Watch& watch) {
+  return PlaneChoice(leaf, far, planes, points, winding, jobs).best(watch);
 }
 
 }  // namespace convexact

@@ -168,7 +168,8 @@ class Cutter {
       add(halving_plane(leaf));
     }
     made_.planes_tried += tried.size();
-    const auto best = choose_plane(leaf, far, tried, points_, winding_, options_.watch);
+    const auto best =
+        choose_plane(leaf, far, tried, points_, winding_, options_.jobs, options_.watch);
     if (!best) return;
     planes_.push_back(tried[*best]);
     const auto plane = static_cast<std::uint32_t>(planes_.size() - 1);

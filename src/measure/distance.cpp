@@ -9,6 +9,7 @@
 #include "near/near_plane.hpp"
 #include "number/arithmetic.hpp"
 #include "number/roundoff.hpp"
+#include "task/lazy.hpp"
 
 namespace convexact {
 
@@ -22,10 +23,10 @@ class NearestPoint::Search {
   struct HalfEdge {
     std::uint32_t tail, head, twin, facet;
   };
-  // Two planes through its tail, once they are computed.
+  // Two planes through its tail.
   struct EdgePlanes {
-    std::optional<Halfspace> side;  // holds what projects to the facet's side of the edge
-    std::optional<Halfspace> end;   // perpendicular to it; holds what does not lie towards `head`
+    Lazy<Halfspace> side;  // holds what projects to the facet's side of the edge
+    Lazy<Halfspace> end;   // perpendicular to it; holds what does not lie towards `head`
   };
 
   // A plane in doubles with a normal of length 1, for coordinates relative to the first vertex.
@@ -47,7 +48,7 @@ class NearestPoint::Search {
   const Polytope& polytope_;
   std::vector<UnitPlane> near_planes_;
   std::vector<HalfEdge> half_edges_;
-  mutable std::vector<EdgePlanes> edge_planes_;        // as half_edges_; filled by side() and end()
+  std::vector<EdgePlanes> edge_planes_;                // as half_edges_
   std::vector<std::vector<std::uint32_t>> of_facet_;   // half-edges around each facet
   std::vector<std::vector<std::uint32_t>> of_vertex_;  // half-edges out of each vertex
 };
@@ -64,7 +65,7 @@ NearestPoint::Search::Search(const Polytope& polytope)
     add(edge.tail, edge.head, edge.left);
     add(edge.head, edge.tail, edge.right);
   }
-  edge_planes_.resize(half_edges_.size());
+  edge_planes_ = std::vector<EdgePlanes>(half_edges_.size());
   for (const Halfspace& plane : polytope.planes) {
     const Point n = scaled_direction(plane.normal());
     const auto bits = static_cast<long>(bit_length(plane.normal()));
@@ -74,27 +75,23 @@ NearestPoint::Search::Search(const Polytope& polytope)
 }
 
 const Halfspace& NearestPoint::Search::side(std::uint32_t half_edge) const {
-  std::optional<Halfspace>& plane = edge_planes_[half_edge].side;
-  if (!plane) {
+  return edge_planes_[half_edge].side.get([&] {
     const HalfEdge& h = half_edges_[half_edge];
     const RationalPoint& a = polytope_.vertices[h.tail];
     const RationalVector3 along = polytope_.vertices[h.head] - a;
     const RationalVector3 normal = polytope_.planes[h.facet].normal().cast<Rational>();
     const RationalVector3 outward = along.cross(normal);  // in the facet's plane, away from it
-    plane.emplace(outward, Rational(-outward.dot(a)));
-  }
-  return *plane;
+    return Halfspace(outward, Rational(-outward.dot(a)));
+  });
 }
 
 const Halfspace& NearestPoint::Search::end(std::uint32_t half_edge) const {
-  std::optional<Halfspace>& plane = edge_planes_[half_edge].end;
-  if (!plane) {
+  return edge_planes_[half_edge].end.get([&] {
     const HalfEdge& h = half_edges_[half_edge];
     const RationalPoint& a = polytope_.vertices[h.tail];
     const RationalVector3 along = polytope_.vertices[h.head] - a;
-    plane.emplace(along, Rational(-along.dot(a)));
-  }
-  return *plane;
+    return Halfspace(along, Rational(-along.dot(a)));
+  });
 }
 
 // The region of a feature is where x - q, for q the projection of x to the feature's plane or line,

@@ -25,10 +25,7 @@ LaidSurface::LaidSurface(const Surface& surface, long exponent)
       tree_(tree_over_triangles(surface, points_)),
       walls_(surface.triangles.size()) {}
 
-const LaidSurface::Walls* LaidSurface::walls(std::size_t t) const {
-  Lazy& lazy = walls_[t];
-  if (lazy.is_known) return lazy.walls.get();
-  lazy.is_known = true;
+std::unique_ptr<const LaidSurface::Walls> LaidSurface::make_walls(std::size_t t) const {
   const auto ids = corners(t);
   const HomogeneousPoint* p[3];
   for (std::size_t k = 0; k < 3; ++k) p[k] = &points_.exact(ids[k]);
@@ -42,9 +39,8 @@ const LaidSurface::Walls* LaidSurface::walls(std::size_t t) const {
   const IntegerVector3 n = u.cross(v);
   if (n == IntegerVector3::Zero()) return nullptr;
   const Halfspace plane(IntegerVector3(n * p[0]->w), Integer(-dot(n, p[0]->n)));
-  lazy.walls = std::make_unique<const Walls>(
+  return std::make_unique<const Walls>(
       Walls{plane, {wall(*p[0], *p[1], n), wall(*p[1], *p[2], n), wall(*p[2], *p[0], n)}});
-  return lazy.walls.get();
 }
 
 LaidSurface::Related LaidSurface::relate(const Halfspace& plane, const NearBox& box,

@@ -13,6 +13,7 @@
 #include "convexact/overlay.hpp"
 #include "overlay/convex_piece.hpp"
 #include "overlay/scaled.hpp"
+#include "task/lazy.hpp"
 
 namespace convexact {
 
@@ -37,7 +38,9 @@ class LaidSurface {
     std::array<Halfspace, 3> walls;
   };
   /// Nothing for a triangle without area.
-  const Walls* walls(std::size_t t) const;
+  const Walls* walls(std::size_t t) const {
+    return walls_[t].get([&] { return make_walls(t); }).get();
+  }
 
   /// The triangles that concern pieces of one plane, see relate().
   struct Related {
@@ -63,15 +66,13 @@ class LaidSurface {
                 std::optional<std::size_t>& inside) const;
 
  private:
+  std::unique_ptr<const Walls> make_walls(std::size_t t) const;
+
   const Surface& surface_;
   long exponent_;
   ScaledPoints points_;
   BoxTree tree_;
-  struct Lazy {
-    bool is_known = false;
-    std::unique_ptr<const Walls> walls;
-  };
-  mutable std::vector<Lazy> walls_;
+  std::vector<Lazy<std::unique_ptr<const Walls>>> walls_;
 };
 
 }  // namespace convexact

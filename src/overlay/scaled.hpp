@@ -12,6 +12,7 @@
 #include "number/arithmetic.hpp"
 #include "overlay/arrangement.hpp"
 #include "surface/box_tree.hpp"
+#include "task/lazy.hpp"
 
 namespace convexact {
 
@@ -36,8 +37,7 @@ class ScaledPoints {
   const Point& near(std::size_t i) const { return near_[i]; }
   /// The unscaled point; computed when it is first asked for.
   const HomogeneousPoint& exact(std::size_t i) const {
-    if (!exact_[i]) exact_[i] = clear_denominators(rational(i));
-    return *exact_[i];
+    return exact_[i].get([&] { return clear_denominators(rational(i)); });
   }
   RationalPoint rational(std::size_t i) const {
     return set_ != nullptr ? (*set_)[PointId(i)] : list_[i];
@@ -49,7 +49,7 @@ class ScaledPoints {
   const PointSet* set_ = nullptr;
   std::span<const RationalPoint> list_;
   std::vector<Point> near_;
-  mutable std::vector<std::optional<HomogeneousPoint>> exact_;
+  std::vector<Lazy<HomogeneousPoint>> exact_;
 };
 
 /// A plane for points times 2^-e. Precondition: it passes near the scaled points.

@@ -9,6 +9,7 @@
 #include "convexact/overlay.hpp"
 #include "overlay/union_distance_flat.hpp"
 #include "overlay/union_distance_near.hpp"
+#include "task/lazy.hpp"
 
 namespace convexact {
 
@@ -119,13 +120,14 @@ class UnionDistance::Search {
   std::span<const ConvexPart> parts() const { return parts_; }
 
   RationalPoint nearest_in(std::size_t part, const RationalPoint& x) const {
-    Exact& exact = exact_[part];
-    if (parts_[part].solid) {
-      if (!exact.solid) exact.solid = std::make_unique<const NearestPoint>(*parts_[part].solid);
-      return (*exact.solid)(x);
+    const ConvexPart& of = parts_[part];
+    if (of.solid) {
+      const auto& solid =
+          exact_[part].solid.get([&] { return std::make_unique<const NearestPoint>(*of.solid); });
+      return (*solid)(x);
     }
-    if (!exact.flat) exact.flat = std::make_unique<const FlatFeatures>(parts_[part]);
-    return nearest_in_flat(parts_[part], *exact.flat, x);
+    const auto& flat = exact_[part].flat.get([&] { return FlatFeatures(of); });
+    return nearest_in_flat(of, flat, x);
   }
 
   // Ascending, so that the lowest part wins a tie.
@@ -142,15 +144,15 @@ class UnionDistance::Search {
   }
 
  private:
-  // The data for a part's exact distances, computed when they are first asked for.
+  // The data for a part's exact distances.
   struct Exact {
-    std::unique_ptr<const NearestPoint> solid;
-    std::unique_ptr<const FlatFeatures> flat;
+    Lazy<std::unique_ptr<const NearestPoint>> solid;
+    Lazy<FlatFeatures> flat;
   };
 
   std::span<const ConvexPart> parts_;
   NearParts near_;
-  mutable std::vector<Exact> exact_;
+  std::vector<Exact> exact_;
 };
 
 UnionDistance::UnionDistance(std::span<const ConvexPart> parts)

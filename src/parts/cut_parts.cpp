@@ -11,6 +11,7 @@
 #include "number/precision.hpp"
 #include "parts/merge_by_reach.hpp"
 #include "parts/stored_part.hpp"
+#include "task/parallel.hpp"
 
 namespace convexact {
 namespace {
@@ -80,7 +81,9 @@ class PartCutter {
     made.partition = log_.run(kCut, [&] {
       const Watch watch = log_.watch(kCut);
       return cut(surface_, winding_, fine,
-                 {.is_exact = request_.engine == Engine::Exact, .watch = watch});
+                 {.is_exact = request_.engine == Engine::Exact,
+                  .jobs = request_.jobs.value_or(all_cores()),
+                  .watch = watch});
     });
     const std::vector<PointSet> leaves =
         log_.run(kStoreLeaves, [&] { return stored_leaves(made.partition); });

@@ -267,6 +267,36 @@ TEST_CASE("cut: the exact engine cuts alike" * sweep) {
   }
 }
 
+TEST_CASE("cut: the cuts are the same for any number of threads") {
+  // A torus of 1,200 corners, enough for threads to be worth it.
+  Mesh torus;
+  std::vector<Point> points;
+  constexpr std::uint32_t kAround = 40, kAcross = 30;
+  for (std::uint32_t i = 0; i < kAround; ++i) {
+    for (std::uint32_t k = 0; k < kAcross; ++k) {
+      const double u = 2 * M_PI * i / kAround, v = 2 * M_PI * k / kAcross;
+      const double radius = 2 + std::cos(v);
+      points.emplace_back(radius * std::cos(u), radius * std::sin(u), std::sin(v));
+      const auto at = [&](std::uint32_t a, std::uint32_t b) {
+        return a % kAround * kAcross + b % kAcross;
+      };
+      torus.polygons.push_back({at(i, k), at(i + 1, k), at(i + 1, k + 1)});
+      torus.polygons.push_back({at(i, k), at(i + 1, k + 1), at(i, k + 1)});
+    }
+  }
+  torus.points = PointSet(points);
+  const Cut alone(torus, "3/100");
+  CHECK(alone.partition.leaves.size() > 4);
+  for (const std::size_t jobs : {2u, 3u, 8u}) {
+    const Cut made(torus, "3/100", {.jobs = jobs});
+    REQUIRE(made.partition.nodes.size() == alone.partition.nodes.size());
+    for (std::size_t n = 0; n < made.partition.nodes.size(); ++n) {
+      CHECK(made.partition.nodes[n].plane == alone.partition.nodes[n].plane);
+    }
+    CHECK(made.partition.planes_tried == alone.partition.planes_tried);
+  }
+}
+
 TEST_CASE("cut: scale by powers of two, order and repeats change nothing") {
   std::mt19937_64 random(482);
   const Mesh mesh = turned_boxes(random, 2);

@@ -12,6 +12,7 @@
 #include "property.hpp"
 #include "shapes/makers.hpp"
 #include "sweep.hpp"
+#include "task/parallel.hpp"
 using namespace convexact;
 
 namespace {
@@ -683,4 +684,18 @@ TEST_CASE("union_to_surface: what it refuses") {
         ErrorCode::InvalidArgument);
   CHECK(code([&] { return union_to_surface(parts, Surface{}, nullptr, 1); }) ==
         ErrorCode::InvalidArgument);
+}
+
+TEST_CASE("UnionDistance: any threads may ask at the same time") {
+  // Unit cubes at x in [2 i, 2 i + 1]: of a point above one of them, at height 1 + h, the squared
+  // distance is h^2.
+  std::vector<ConvexPart> parts;
+  for (int i = 0; i < 10; ++i) parts.push_back(part_of_box({2.0 * i, 0, 0}, {2.0 * i + 1, 1, 1}));
+  const UnionDistance distance(parts);
+  std::vector<Rational> squared(400);
+  for_each_in_parallel(squared.size(), 8, [&](std::size_t k) {
+    const RationalPoint x(Rational(2 * (k % 10)) + Rational(1, 3), Rational(1, 2), Rational(1 + k));
+    squared[k] = distance(x).squared;
+  });
+  for (std::size_t k = 0; k < squared.size(); ++k) CHECK(squared[k] == Rational(k * k));
 }

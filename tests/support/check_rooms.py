@@ -10,7 +10,7 @@ import re
 import sys
 
 # From the top down.
-ROOMS = ["error", "number", "geometry", "near", "shapes", "io", "lp", "hull", "dual", "implicit", "measure",
+ROOMS = ["error", "task", "number", "geometry", "near", "shapes", "io", "lp", "hull", "dual", "implicit", "measure",
          "simplify", "fast", "search", "stored", "solid",
          "surface", "overlay", "reach", "decompose", "cut",
          "scene", "parts", "query", "bvh", "proof", "oracle/solid", "oracle/parts", "oracle/order",

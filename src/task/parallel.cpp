@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: MIT
+#include "task/parallel.hpp"
+
+#include <algorithm>
+#include <atomic>
+#include <exception>
+#include <thread>
+#include <vector>
+
+namespace convexact {
+
+void for_each_in_parallel(std::size_t count, std::size_t jobs,
+                          const std::function<void(std::size_t)>& work,
+                          const std::function<void(std::size_t)>& finished) {
+  std::atomic<std::size_t> next = 0;
+  std::atomic<bool> has_failed = false;
+  std::vector<std::exception_ptr> errors(count);
+  std::mutex mutex;  // of `finished` and `done`
+  std::size_t done = 0;
+  const auto run = [&] {
+    for (std::size_t i = next++; i < count && !has_failed; i = next++) {
+      try {
+        work(i);
+      } catch (...) {
+        errors[i] = std::current_exception();
+        has_failed = true;
+      }
+      if (!finished) continue;
+      const std::lock_guard lock(mutex);
+      finished(++done);
+    }
+  };
+  {
+    std::vector<std::jthread> threads;
+    for (std::size_t k = 1; k < std::min(jobs, count); ++k) threads.emplace_back(run);
+    run();
+  }
+  for (const std::exception_ptr& error : errors) {
+    if (error) std::rethrow_exception(error);
+  }
+}
+
+std::size_t all_cores() { return std::max(1u, std::thread::hardware_concurrency()); }
+
+}  // namespace convexact

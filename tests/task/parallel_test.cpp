@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: MIT
+// Loops on several threads: each number once, the lowest failure, calls of `finished` one by one.
+#include "task/parallel.hpp"
+
+#include <doctest/doctest.h>
+
+#include <atomic>
+#include <numeric>
+#include <random>
+#include <stdexcept>
+#include <string>
+#include <thread>
+#include <vector>
+
+using namespace convexact;
+
+namespace {
+
+void delay(std::size_t i) {
+  std::mt19937_64 random(i);
+  std::this_thread::sleep_for(std::chrono::microseconds(random() % 200));
+}
+
+}  // namespace
+
+TEST_CASE("for_each_in_parallel: each number once, for any number of threads") {
+  for (const std::size_t jobs : {1u, 2u, 3u, 8u, 100u}) {
+    for (const std::size_t count : {0u, 1u, 2u, 50u}) {
+      CAPTURE(jobs);
+      std::vector<int> calls(count, 0);
+      std::vector<std::size_t> done;
+      for_each_in_parallel(
+          count, jobs,
+          [&](std::size_t i) {
+            delay(i);
+            ++calls[i];
+          },
+          [&](std::size_t n) { done.push_back(n); });
+      CHECK(calls == std::vector<int>(count, 1));
+      std::vector<std::size_t> ascending(count);
+      std::iota(ascending.begin(), ascending.end(), 1);
+      CHECK(done == ascending);
+    }
+  }
+}
+
+TEST_CASE("for_each_in_parallel: one thread goes in order") {
+  std::vector<std::size_t> order;
+  for_each_in_parallel(5, 1, [&](std::size_t i) { order.push_back(i); });
+  CHECK(order == std::vector<std::size_t>{0, 1, 2, 3, 4});
+}
+
+TEST_CASE("for_each_in_parallel: the failure of the lowest number is thrown, and ends the loop") {
+  for (const std::size_t jobs : {1u, 2u, 8u}) {
+    CAPTURE(jobs);
+    std::atomic<std::size_t> begun = 0;
+    std::string caught;
+    try {
+      // The first one waits until the second has failed, if there is a thread for it.
+      std::atomic<bool> second_failed = jobs == 1;
+      for_each_in_parallel(1000, jobs, [&](std::size_t i) {
+        ++begun;
+        while (i == 0 && !second_failed) std::this_thread::yield();
+        if (i == 1) second_failed = true;
+        if (i < 2) throw std::runtime_error(std::to_string(i));
+        delay(i);
+      });
+    } catch (const std::runtime_error& error) {
+      caught = error.what();
+    }
+    CHECK(caught == "0");
+    CHECK(begun < 1000);
+  }
+}
