@@ -35,13 +35,15 @@ PartArrays arrays_of(const Part& part) {
 // The owners of the triangles as the caller numbers them; each of these is a triangle of the
 // surface.
 std::vector<std::uint32_t> owners_of(const Decomposition& made, std::size_t triangles) {
-  if (made.owner.size() != triangles) {
-    throw Error(ErrorCode::Internal, "a triangle became several, or none");
-  }
   std::vector<std::uint32_t> owners(triangles);
-  // Caps are no triangles of the caller's.
+  std::size_t found = 0;
   for (std::size_t t = 0; t < made.owner.size(); ++t) {
-    if (made.surface.face[t] < triangles) owners[made.surface.face[t]] = made.owner[t];
+    if (made.surface.face[t] >= triangles) continue;  // a cap over a border, none of the caller's
+    owners[made.surface.face[t]] = made.owner[t];
+    ++found;
+  }
+  if (found != triangles) {
+    throw Error(ErrorCode::Internal, "a triangle became several, or none");
   }
   return owners;
 }

@@ -403,6 +403,36 @@ TEST_CASE("C interface: every triangle that is given has an owner, also one with
   check_owners(mesh, parts);
 }
 
+// The top of a cube with a square hole, which a cap closes, so that it can be cut.
+TEST_CASE("C interface: a cap over a hole has no number among the triangles that are given") {
+  Triangles mesh;
+  for (const double z : {0.0, 4.0}) {
+    for (const double y : {0.0, 4.0}) {
+      for (const double x : {0.0, 4.0}) mesh.points.insert(mesh.points.end(), {x, y, z});
+    }
+  }
+  mesh.points.insert(mesh.points.end(),
+                     {1.75, 1.75, 4, 2.25, 1.75, 4, 2.25, 2.25, 4, 1.75, 2.25, 4});
+  for (const std::array<std::uint32_t, 4>& q :
+       std::vector<std::array<std::uint32_t, 4>>{{0, 2, 3, 1},
+                                                 {0, 1, 5, 4},
+                                                 {2, 6, 7, 3},
+                                                 {0, 4, 6, 2},
+                                                 {1, 3, 7, 5},
+                                                 {4, 5, 9, 8},
+                                                 {5, 7, 10, 9},
+                                                 {7, 6, 11, 10},
+                                                 {6, 4, 8, 11}}) {
+    mesh.corners.insert(mesh.corners.end(), {q[0], q[1], q[2], q[0], q[2], q[3]});
+  }
+  for (const char* options : {"", "method=cut", "method=hacd guard=reach"}) {
+    CAPTURE(options);
+    const Decomposition parts = decompose(mesh, options);
+    CHECK(convexact_decomposition_part_count(parts.get()) == 1);
+    check_owners(mesh, parts);
+  }
+}
+
 TEST_CASE("C interface: the parts of an L are judged") {
   const Triangles mesh = l_shape();
   const Decomposition made = decompose(mesh, kHacd);
