@@ -10,13 +10,16 @@
  * you free it with the function of its name; pointers that its functions return belong to the
  * result and are valid until then. Functions of a result do not fail; freeing NULL does nothing.
  *
- * Threads: there is no global state. Any functions may run at the same time, even on one result,
- * as long as no thread frees it meanwhile.
+ * Threads: a message per thread, convexact_message(), is the only state outside of results. Any
+ * functions may run at the same time, even on one result, as long as no thread frees it meanwhile.
  *
- * Options: a struct whose first field is its size, as sizeof gives it, so that later versions can
- * have more fields. Every other field that is 0 or NULL stands for its default, and NULL in the
- * place of the struct for all defaults:
- *     convexact_decompose_options options = {.size = sizeof options, .max_parts = 8};
+ * Options: one text of names and values with blanks between them; NULL or "" for all defaults:
+ *     "method=cut distance=3% max_parts=8 disjoint"
+ * They are those of the program, with its defaults, so docs/reference/ describes each: what
+ * is --max-parts there is max_parts here. A flag is its name alone, or disjoint=true or
+ * disjoint=false. A name that the function does not know, or that is given twice, and a value out
+ * of its range are CONVEXACT_INVALID_ARGUMENT; the message names the option, and says what there
+ * is. Names are lower case, and so are words.
  *
  * Errors: a function that can fail returns a status and sets its result to NULL unless it succeeds.
  * No exception leaves a function. If GMP, which computes with the numbers, finds no memory, it ends
@@ -39,9 +42,8 @@ extern "C" {
 
 typedef enum convexact_status {
   CONVEXACT_OK = 0,
-  CONVEXACT_INVALID_ARGUMENT = 2, /* A null pointer, a count of 0, fewer than 4 planes wanted, an
-                                     invalid face, tolerance, measure or number of bits, or an
-                                     option out of its range. */
+  CONVEXACT_INVALID_ARGUMENT = 2, /* A null pointer, a count of 0, an invalid face, or an option
+                                     that does not exist or has no such value. */
   CONVEXACT_NOT_FINITE = 3,       /* A number is NaN or infinite. */
   CONVEXACT_NO_INTERIOR = 4,      /* Points lie in one plane where a solid is needed. */
   CONVEXACT_UNREPRESENTABLE = 5,  /* Doubles cannot hold the result; ask for fewer planes. */
@@ -51,6 +53,10 @@ typedef enum convexact_status {
 
 /* One sentence about a status, or about a number that is none; static. */
 CONVEXACT_API const char* convexact_status_text(int status);
+
+/* One sentence about the last call of this thread that failed: what was wrong, and what would be
+ * right; "" if none did. Valid until the next call of this thread. */
+CONVEXACT_API const char* convexact_message(void);
 
 /* The version of the library, such as "0.1.0"; static. */
 CONVEXACT_API const char* convexact_version(void);
@@ -93,41 +99,30 @@ CONVEXACT_API void convexact_containment_free(convexact_containment* result);
 
 typedef struct convexact_verdict convexact_verdict;
 
-/* What is asked; options may be NULL, and so may each of its pointers. Other texts than these are
- * CONVEXACT_INVALID_ARGUMENT. */
-typedef struct convexact_judge_options {
-  size_t size;           /* sizeof(convexact_judge_options). */
-  const char* asks;      /* What the candidate was to be: "enclosure" (NULL), "hull", which has the
-                            claim is-hull besides, or "inner", which has inside-input in the place of
-                            contains-input. */
-  const char* tolerance; /* As the option of the program: "1e-6" for a length, "1e-9d" for a share
-                            of the points' diameter, taken as spelled. NULL for none. */
-  const uint32_t* triangles; /* Of the input: three indices of points from 0 for each. */
-  size_t triangle_count;     /* 0: the input has no faces, it is its points. */
-  const char* points; /* Which points of an input with faces are asked: "all" (NULL), or "used" for
-                         those that triangles use. */
-} convexact_judge_options;
-
 /* What `convexact verify` decides, with its claims; docs/verdicts.md#CODE describes each claim.
- * Budgets are not asked. CONVEXACT_NO_INTERIOR if the *points* lie in one plane; any fault of the
- * candidate is a violated claim. */
+ * An input may have triangles, three indices of points from 0 for each, or none: NULL and 0.
+ * CONVEXACT_NO_INTERIOR if the *points* lie in one plane; any fault of the candidate is a violated
+ * claim.
+ *
+ * Options: asks, tolerance, claims, max_facets, max_vertices, max_facet_vertices and exact_facets
+ * of the program; and its --points, judge_points=used, to ask only about points that triangles use.
+ * Numbers beside the claims are not kept, so `tightness` only takes time. */
 
 /* The candidate is the intersection of halfspaces. */
 CONVEXACT_API convexact_status convexact_judge_planes(const double* points, size_t point_count,
-                                                      const double* planes, size_t plane_count,
-                                                      const convexact_judge_options* options,
+                                                      const uint32_t* triangles,
+                                                      size_t triangle_count, const double* planes,
+                                                      size_t plane_count, const char* options,
                                                       convexact_verdict** result);
 
 /* The candidate is a mesh. Face f has face_sizes[f] >= 3 corners, indices of vertices from 0,
  * counter-clockwise from outside; corners holds those of all faces, one after another. Without
  * faces (face_count 0; corners and face_sizes may be NULL) the vertices stand for their convex
  * hull. */
-CONVEXACT_API convexact_status convexact_judge_mesh(const double* points, size_t point_count,
-                                                    const double* vertices, size_t vertex_count,
-                                                    const uint32_t* corners,
-                                                    const size_t* face_sizes, size_t face_count,
-                                                    const convexact_judge_options* options,
-                                                    convexact_verdict** result);
+CONVEXACT_API convexact_status convexact_judge_mesh(
+    const double* points, size_t point_count, const uint32_t* triangles, size_t triangle_count,
+    const double* vertices, size_t vertex_count, const uint32_t* corners, const size_t* face_sizes,
+    size_t face_count, const char* options, convexact_verdict** result);
 
 /* 1 if no claim is violated, else 0. */
 CONVEXACT_API int convexact_verdict_holds(const convexact_verdict* result);
@@ -146,48 +141,15 @@ CONVEXACT_API void convexact_verdict_free(convexact_verdict* result);
 
 typedef struct convexact_solid convexact_solid;
 
-/* Removes halfspaces of the points' hull, each time the one that adds the least volume, until
- * plane_count >= 4 are left or every further removal would leave the solid unbounded. All steps are
- * verified exactly. */
+/* Removes halfspaces of the points' hull, each time the one that adds the least to a measure, then
+ * searches for a smaller one if that is asked for. All steps are verified exactly. Options: those
+ * of `convexact simplify`, from faces to center, and seed; faces or max_growth is needed:
+ *     "faces=18 cost=mean-width search=local moves=500 seed=7"
+ * A solid keeps more than so many faces if every further removal would leave it unbounded. Mean
+ * widths that enclosures of tie_bits bits cannot tell apart count as equal even without a proof. If
+ * several removals cost the same, the first in canonical order is made. */
 CONVEXACT_API convexact_status convexact_simplify(const double* points, size_t point_count,
-                                                  size_t plane_count, convexact_solid** result);
-
-/* The measure to which each removal adds the least. Values do not change; more may be added. */
-typedef enum convexact_cost {
-  CONVEXACT_COST_VOLUME = 0,
-  CONVEXACT_COST_AREA = 1,      /* Of the surface. */
-  CONVEXACT_COST_MEAN_WIDTH = 2 /* Of the distances of parallel planes around the solid. */
-} convexact_cost;
-
-/* The same, where each removal adds the least to the measure `cost`, a convexact_cost. Volumes and
- * areas are compared exactly. Mean widths that enclosures of tie_bits bits cannot tell apart count
- * as equal even without a proof; tie_bits is 128 to 1048576, or 0 for 4096. If several removals
- * cost the same, the first in canonical order is made. */
-CONVEXACT_API convexact_status convexact_simplify_by(const double* points, size_t point_count,
-                                                     size_t plane_count, int cost, long tie_bits,
-                                                     convexact_solid** result);
-
-/* The search after the removals for a smaller measure with as many planes. */
-typedef enum convexact_search {
-  CONVEXACT_SEARCH_NONE = 0,
-  CONVEXACT_SEARCH_WALK = 1, /* Exchanges of a plane for that of a facet next to it. */
-  CONVEXACT_SEARCH_LOCAL = 2 /* The same, then random exchanges, each with a walk after it. */
-} convexact_search;
-
-typedef struct convexact_simplify_options {
-  size_t size;   /* sizeof(convexact_simplify_options). */
-  int cost;      /* A convexact_cost. */
-  long tie_bits; /* As of convexact_simplify_by. */
-  int search;    /* A convexact_search. Every exchange is proven to make the measure smaller. */
-  size_t kicks;  /* Of CONVEXACT_SEARCH_LOCAL: how many random exchanges. 0 for 200. */
-  uint64_t seed; /* Of these; the same one leads to the same planes everywhere. 0 for 1. */
-} convexact_simplify_options;
-
-/* The same with options. */
-CONVEXACT_API convexact_status convexact_simplify_with(const double* points, size_t point_count,
-                                                       size_t plane_count,
-                                                       const convexact_simplify_options* options,
-                                                       convexact_solid** result);
+                                                  const char* options, convexact_solid** result);
 
 /* How many exchanges a search made after the removals. */
 CONVEXACT_API size_t convexact_solid_move_count(const convexact_solid* result);
@@ -210,60 +172,6 @@ CONVEXACT_API void convexact_solid_free(convexact_solid* result);
 
 /* ---- A mesh as few convex parts -------------------------------------------------------------- */
 
-/* Where the parts come from: of the first two they are the hulls of clusters of triangles. */
-typedef enum convexact_method {
-  CONVEXACT_HACD = 0, /* Neighbouring triangles are merged. */
-  CONVEXACT_ACD = 1,  /* The surface is split at notches. */
-  CONVEXACT_CUT = 2,  /* The solid is cut by planes: the parts hold it, and none is farther from it
-                         than `distance`, proven. Reads no `concavity`, `measure` or guard. */
-  CONVEXACT_AUTO = 3  /* CUT for closed surfaces; for open ones HACD with a guard and merging; and
-                         HACD if `concavity`, `measure`, guard_reach or merge_reach is given. */
-} convexact_method;
-
-/* Of CONVEXACT_HACD: where concavity is measured. */
-typedef enum convexact_concavity {
-  CONVEXACT_CONCAVITY_SURFACE = 0, /* At every point of the triangles. */
-  CONVEXACT_CONCAVITY_VERTICES = 1 /* At their corners only. */
-} convexact_concavity;
-
-/* What becomes of clusters that lie in a plane. */
-typedef enum convexact_flat {
-  CONVEXACT_FLAT_AUTO = 0,    /* As thicken; but a mesh in one plane is CONVEXACT_NO_INTERIOR. */
-  CONVEXACT_FLAT_THICKEN = 1, /* They are made solid, by about 2^-20 of the diameter. */
-  CONVEXACT_FLAT_KEEP = 2,    /* A polygon, a segment or a point. */
-  CONVEXACT_FLAT_MERGE = 3    /* They join the neighbour with which they are least concave; a mesh
-                                 in one plane is CONVEXACT_NO_INTERIOR. */
-} convexact_flat;
-
-/* The options of `convexact decompose`, with its defaults; docs/usage.md describes each. */
-typedef struct convexact_decompose_options {
-  size_t size;           /* sizeof(convexact_decompose_options). */
-  int method;            /* A convexact_method. */
-  const char* concavity; /* The largest one allowed, taken as spelled: "3%" or "0.03d" for a share
-                            of the diameter, from 0 to 1; "0.05" for a length. NULL for "3%". */
-  size_t max_parts;      /* May lead beyond that concavity. 0 for no limit; as few as the mesh has
-                            components, or CONVEXACT_INVALID_ARGUMENT. */
-  int measure;           /* A convexact_concavity. */
-  size_t faces;          /* Planes to keep in each part, >= 4; 0 for all. */
-  size_t total_faces;    /* Instead of `faces`: in all parts together, >= 4 for each; 0 for all. */
-  int flat;              /* A convexact_flat. */
-  int precision;         /* The numbers of the parts: 64 for doubles, 32 for doubles that are
-                            floats. 0 for 64. */
-  int no_volumes;        /* Not 0: do not measure volumes, which may take most of the time. */
-  int exact_volumes;     /* Not 0: measure them as fractions, too, which may be very long. */
-  uint64_t seed;         /* Of random orders. No result depends on it. */
-  int for_tree;          /* Not 0: find the merges that would come next, for a tree of the parts. */
-  int guard_reach;      /* Not 0: no part is made that is farther from the solid than `distance`. */
-  int merge_reach;      /* Not 0: parts are merged in the end as long as they are not farther. */
-  const char* distance; /* For these two and CUT, spelled like `concavity`, and above 0. NULL for
-                           "3%". */
-  const char* max_excess;   /* Of CUT: how much larger the parts' volumes together may be than the
-                               solid's, "20%". NULL for no limit. */
-  int effort;               /* Of CUT: 0 normal, 1 low, 2 high. */
-  size_t max_part_vertices; /* Corners that a part may have, >= 4; 0 for any number. */
-  int disjoint;             /* Of CUT, not 0: parts have no common interior, but for roundings. */
-} convexact_decompose_options;
-
 typedef struct convexact_decomposition convexact_decomposition;
 
 /* Triangle t has the corners triangles[3 t] to [3 t + 2], indices of points from 0, counter-
@@ -271,21 +179,30 @@ typedef struct convexact_decomposition convexact_decomposition;
  * owner, a part that holds it: proven on the numbers of the part as they are. So the parts cover
  * the surface, but need not cover the solid. A point that no triangle uses goes to the part that is
  * nearest to it. CONVEXACT_NO_INTERIOR if all triangles lie in one plane, unless `flat` is thicken
- * or keep; CONVEXACT_UNREPRESENTABLE if the precision cannot hold a part. */
+ * or keep; CONVEXACT_UNREPRESENTABLE if the precision cannot hold a part.
+ *
+ * Options: those of `convexact decompose`, from method to precision, and
+ *   no_measures    do not measure volumes, which may take most of the time;
+ *   exact_volumes  measure them as fractions, too, which may be very long;
+ *   tree           find the merges that would come next, for convexact_decomposition_tree();
+ *   seed           of random orders; no result depends on it.
+ * As in the program the method is auto: cut for closed surfaces, whose parts hold the solid, none
+ * farther from it than the distance. Before there were texts of options it was hacd, whose parts
+ * are hulls of clusters of triangles: say method=hacd. */
 CONVEXACT_API convexact_status convexact_decompose(const double* points, size_t point_count,
                                                    const uint32_t* triangles, size_t triangle_count,
-                                                   const convexact_decompose_options* options,
+                                                   const char* options,
                                                    convexact_decomposition** result);
 
 CONVEXACT_API size_t convexact_decomposition_part_count(const convexact_decomposition* result);
 /* 1 if the concavity of every part is within the limit, else 0: max_parts, flat triangles that were
  * merged, and notches that cannot be split may lead beyond it. */
 CONVEXACT_API int convexact_decomposition_eps_holds(const convexact_decomposition* result);
-/* With CUT, guard_reach or merge_reach: 1 if no point of a part is farther from the solid than the
- * distance, proven; else 0. */
+/* With the method cut, guard=reach or merge=reach: 1 if no point of a part is farther from the
+ * solid than the distance, proven; else 0. */
 CONVEXACT_API int convexact_decomposition_reach_holds(const convexact_decomposition* result);
-/* For each triangle the part that owns it; UINT32_MAX of a triangle that several parts of CUT hold
- * together. */
+/* For each triangle the part that owns it; UINT32_MAX of a triangle that several parts of the
+ * method cut hold together. */
 CONVEXACT_API const uint32_t* convexact_decomposition_owners(const convexact_decomposition* result);
 
 typedef enum convexact_volume {
@@ -355,22 +272,6 @@ CONVEXACT_API void convexact_decomposition_free(convexact_decomposition* result)
 /* ---- Does the union of convex parts hold a mesh? Every claim of the oracle --------------------
  */
 
-/* The options of `convexact verify --union`; docs/verdicts.md#CODE describes each claim. */
-typedef struct convexact_parts_options {
-  size_t size;               /* sizeof(convexact_parts_options). */
-  const char* claims;        /* The claims to decide, "covers-surface,parts-disjoint". NULL for all
-                                but covers-solid, parts-disjoint and parts-needed. */
-  const char* tolerance;     /* As in convexact_judge_options. */
-  size_t max_parts;          /* 0: not asked. The limits below are for each part. */
-  size_t max_facets;         /* As meant: coplanar up to rounding. 0: not asked. */
-  size_t max_vertices;       /* 0: not asked. */
-  size_t max_facet_vertices; /* 0: not asked. */
-  const char* points;        /* As in convexact_judge_options. */
-  const char* distance;      /* Asks whether no point of a part is farther from the solid, and
-                                whether they hold it: "3%" of the diameter, or a length. NULL: not
-                                asked. */
-} convexact_parts_options;
-
 /* A mesh as convexact_decompose takes it; without triangles (triangle_count 0; triangles may be
  * NULL) its points are to be covered. Part k has vertex_counts[k] >= 1 vertices, and is their hull;
  * vertices holds those of all parts, one after another. It may have faces: face_counts[k] of them,
@@ -378,34 +279,33 @@ typedef struct convexact_parts_options {
  * before, as in convexact_judge_mesh. Without any, face_counts is NULL, and so may be the others.
  *
  * The mesh may be flat. Any fault of the parts' shape is a violated claim, whose sentence calls
- * part 3 part_3. */
-CONVEXACT_API convexact_status convexact_verify_parts(
-    const double* points, size_t point_count, const uint32_t* triangles, size_t triangle_count,
-    const double* vertices, const size_t* vertex_counts, size_t part_count, const uint32_t* corners,
-    const size_t* face_sizes, const size_t* face_counts, const convexact_parts_options* options,
-    convexact_verdict** result);
+ * part 3 part_3.
+ *
+ * Options: those of convexact_judge_planes but for asks, where max_facets, max_vertices and
+ * max_facet_vertices are budgets of each part; and distance, max_parts, close, orient and
+ * exact_volumes of `convexact verify --union`. "claims=covers-surface,parts-disjoint" decides these
+ * claims only. Otherwise all are decided but parts-disjoint, parts-needed and, without a distance,
+ * covers-solid. */
+CONVEXACT_API convexact_status
+convexact_verify_parts(const double* points, size_t point_count, const uint32_t* triangles,
+                       size_t triangle_count, const double* vertices, const size_t* vertex_counts,
+                       size_t part_count, const uint32_t* corners, const size_t* face_sizes,
+                       const size_t* face_counts, const char* options, convexact_verdict** result);
 
 /* ---- Parts under a tree of hulls ------------------------------------------------------------- */
-
-/* The options of `convexact bvh`; docs/hull-trees.md describes each. */
-typedef struct convexact_tree_options {
-  size_t size;       /* sizeof(convexact_tree_options). */
-  size_t faces;      /* Planes to keep of each branch, >= 4; 0 for all. */
-  size_t leaf_faces; /* Planes to keep of each part, >= 4; 0 for all. */
-  int precision;     /* As in convexact_decompose_options. */
-} convexact_tree_options;
 
 typedef struct convexact_tree convexact_tree;
 
 /* Where there is no such node or part. */
 #define CONVEXACT_NONE SIZE_MAX
 
-/* A binary tree whose leaves are the parts: by the splits of CONVEXACT_ACD, by the merges that
- * CONVEXACT_HACD would make next if `for_tree` asked for them, and by the least common hull where
- * neither joins parts. Each hull holds the hulls of its children: proven on their numbers as they
- * are. Parts that are flat are made solid. */
+/* A binary tree whose leaves are the parts: by the splits of the method acd, by the merges that
+ * hacd would make next if `tree` asked for them, and by the least common hull where neither joins
+ * parts. Each hull holds the hulls of its children: proven on their numbers as they are. Parts that
+ * are flat are made solid. Options: faces, leaf_faces and precision of `convexact bvh`;
+ * docs/hull-trees.md describes each. */
 CONVEXACT_API convexact_status convexact_decomposition_tree(const convexact_decomposition* parts,
-                                                            const convexact_tree_options* options,
+                                                            const char* options,
                                                             convexact_tree** result);
 
 /* Nodes are in the order of their levels, the root first. */
@@ -433,7 +333,7 @@ CONVEXACT_API void convexact_tree_free(convexact_tree* result);
 CONVEXACT_API convexact_status convexact_verify_tree(
     const double* points, size_t point_count, const uint32_t* triangles, size_t triangle_count,
     const double* vertices, const size_t* vertex_counts, const size_t* parents, size_t node_count,
-    const convexact_parts_options* options, convexact_verdict** result);
+    const char* options, convexact_verdict** result);
 
 #ifdef __cplusplus
 }

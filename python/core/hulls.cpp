@@ -55,13 +55,12 @@ Fields<SimplifyRequest> python_fields() {
     return StoreRequest{precision, precision};
   };
   Fields<R> fields = {
-      count_field<R>("seed", &R::seed, {}, "of every random order"),
       flag_field<R>("trace", &R::trace, "keep every step"),
       flag_field<R>("record", &R::record, "keep what a proof needs"),
       text_field<R>(
           "precision", &R::store, read_precision, [](const StoreRequest&) { return "64"; },
           "the numbers of the mesh and of the planes")};
-  fields.insert(fields.end(), simplify_fields().begin(), simplify_fields().end());
+  fields.insert(fields.end(), simplify_call_fields().begin(), simplify_call_fields().end());
   return fields;
 }
 

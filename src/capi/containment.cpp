@@ -73,7 +73,8 @@ convexact_status convexact_verify_vertices(const double* points, size_t point_co
                                            const double* vertices, size_t vertex_count,
                                            convexact_containment** result) {
   return guarded(result, [&] {
-    return verify_vertices(to_points(points, point_count), to_points(vertices, vertex_count));
+    return verify_vertices(to_points(points, point_count),
+                           to_points(vertices, vertex_count, "vertices"));
   });
 }
 

@@ -6,6 +6,7 @@
 
 #include "capi/guarded.hpp"
 #include "convexact/overlay.hpp"
+#include "convexact/scene.hpp"
 #include "convexact/stored.hpp"
 #include "number/precision.hpp"
 #include "wire/decompose_options.hpp"
@@ -13,39 +14,12 @@
 namespace convexact::capi {
 namespace {
 
-constexpr DecomposeMethod kMethods[] = {DecomposeMethod::Hacd, DecomposeMethod::Acd,
-                                        DecomposeMethod::Cut, DecomposeMethod::Auto};
-constexpr ConcavityMeasure kMeasures[] = {ConcavityMeasure::Surface, ConcavityMeasure::Vertices};
-constexpr CutEffort kEfforts[] = {CutEffort::Normal, CutEffort::Low, CutEffort::High};
-constexpr FlatParts kFlat[] = {FlatParts::Auto, FlatParts::Thicken, FlatParts::Keep,
-                               FlatParts::Merge};
-
-DecomposeRequest to_request(const convexact_decompose_options& options) {
-  DecomposeRequest request;
-  request.method = chosen(kMethods, options.method);
-  if (options.concavity != nullptr) request.limit = parse_concavity("concavity", options.concavity);
-  request.max_parts = to_limit(options.max_parts);
-  request.measure = chosen(kMeasures, options.measure);
-  request.faces = to_limit(options.faces);
-  request.total_faces = to_limit(options.total_faces);
-  request.flat = chosen(kFlat, options.flat);
-  request.precision = to_precision(options.precision);
-  if (options.no_volumes != 0 && options.exact_volumes != 0) {
-    throw Error(ErrorCode::InvalidArgument, "exact volumes, and none");
+DecomposeRequest to_request(const char* options) {
+  DecomposeRequest request = default_decompose_request();
+  read_options(options, bound_fields(decompose_call_fields(), request));
+  if (request.exact_volumes && request.measures == PartMeasures::None) {
+    reject_argument("exact_volumes or no_measures, not both");
   }
-  request.measures = options.no_volumes == 0 ? PartMeasures::All : PartMeasures::None;
-  request.exact_volumes = options.exact_volumes != 0;
-  request.for_tree = options.for_tree != 0;
-  if (options.guard_reach != 0) request.guard = ReachUse::Reach;
-  if (options.merge_reach != 0) request.merge = ReachUse::Reach;
-  if (options.distance != nullptr) request.distance = parse_concavity("distance", options.distance);
-  if (options.max_excess != nullptr) {
-    request.max_excess = parse_excess("max_excess", options.max_excess);
-  }
-  request.effort = chosen(kEfforts, options.effort);
-  request.disjoint = options.disjoint != 0;
-  request.max_vertices = to_limit(options.max_part_vertices);
-  request.seed = options.seed;
   return request;
 }
 
@@ -61,13 +35,15 @@ PartArrays arrays_of(const Part& part) {
 // The owners of the triangles as the caller numbers them; each of these is a triangle of the
 // surface.
 std::vector<std::uint32_t> owners_of(const Decomposition& made, std::size_t triangles) {
-  if (made.owner.size() != triangles) {
-    throw Error(ErrorCode::Internal, "a triangle became several, or none");
-  }
   std::vector<std::uint32_t> owners(triangles);
-  // Caps are no triangles of the caller's.
+  std::size_t found = 0;
   for (std::size_t t = 0; t < made.owner.size(); ++t) {
-    if (made.surface.face[t] < triangles) owners[made.surface.face[t]] = made.owner[t];
+    if (made.surface.face[t] >= triangles) continue;  // a cap over a border, none of the caller's
+    owners[made.surface.face[t]] = made.owner[t];
+    ++found;
+  }
+  if (found != triangles) {
+    throw Error(ErrorCode::Internal, "a triangle became several, or none");
   }
   return owners;
 }
@@ -91,7 +67,9 @@ std::array<VolumeNumbers, 5> volumes_of(const DecompositionMeasures& measures) {
 convexact_decomposition decompose_mesh(const Mesh& mesh, const DecomposeRequest& request) {
   DecomposeOutcome outcome = decompose(mesh, request);
   auto* made = std::get_if<Decomposition>(&outcome);
-  if (made == nullptr) throw Error(ErrorCode::NoInterior, "the triangles lie in one plane");
+  if (made == nullptr) {
+    throw Error(ErrorCode::NoInterior, describe(std::get<NotSolid>(outcome)));
+  }
   convexact_decomposition result{std::move(*made), request.precision, {}, {}, {}};
   for (const Part& part : result.made.parts) result.parts.push_back(arrays_of(part));
   result.owners = owners_of(result.made, mesh.polygons.size());
@@ -106,7 +84,7 @@ const VolumeNumbers& numbers_at(const convexact_decomposition& result, int volum
 }
 
 void write_planes(const Part& part, Precision precision, double* planes) {
-  if (planes == nullptr) throw Error(ErrorCode::InvalidArgument, "the array is missing");
+  if (planes == nullptr) reject_argument("the array of planes is missing");
   const PointSet& corners = part.mesh.points;
   const ConvexPart stored = convex_part(corners);
   if (!stored.solid) throw Error(ErrorCode::NoInterior, "the part is flat");
@@ -124,14 +102,11 @@ using namespace convexact::capi;
 
 convexact_status convexact_decompose(const double* points, size_t point_count,
                                      const uint32_t* triangles, size_t triangle_count,
-                                     const convexact_decompose_options* options,
-                                     convexact_decomposition** result) {
+                                     const char* options, convexact_decomposition** result) {
   return guarded(result, [&] {
-    if (triangle_count == 0) {
-      throw convexact::Error(convexact::ErrorCode::InvalidArgument, "there is no triangle");
-    }
+    if (triangle_count == 0) convexact::reject_argument("there is no triangle");
     return decompose_mesh(to_mesh(points, point_count, triangles, triangle_count),
-                          to_request(to_options(options)));
+                          to_request(options));
   });
 }
 

@@ -29,17 +29,23 @@ inline convexact_status status_of(ErrorCode code) {
   return CONVEXACT_INTERNAL;
 }
 
-/// CONVEXACT_OK, or the status of the exception that ends `work`.
+/// Keeps the sentence on a failure for this thread: convexact_message().
+void keep_message(const char* text) noexcept;
+
+/// CONVEXACT_OK, or the status of the exception that ends `work`, whose sentence is kept.
 template <class Work>
 convexact_status status_of_call(const Work& work) noexcept {
   try {
     work();
     return CONVEXACT_OK;
   } catch (const Error& error) {
+    keep_message(error.what());
     return status_of(error.code());
   } catch (const std::bad_alloc&) {
+    keep_message(convexact_status_text(CONVEXACT_OUT_OF_MEMORY));
     return CONVEXACT_OUT_OF_MEMORY;
   } catch (...) {
+    keep_message(convexact_status_text(CONVEXACT_INTERNAL));
     return CONVEXACT_INTERNAL;
   }
 }
@@ -47,9 +53,11 @@ convexact_status status_of_call(const Work& work) noexcept {
 /// Sets *result to the new object that `make` returns, or to null.
 template <class Result, class Make>
 convexact_status guarded(Result** result, const Make& make) noexcept {
-  if (result == nullptr) return CONVEXACT_INVALID_ARGUMENT;
-  *result = nullptr;
-  return status_of_call([&] { *result = new Result(make()); });
+  if (result != nullptr) *result = nullptr;
+  return status_of_call([&] {
+    if (result == nullptr) reject_argument("the place for the result is missing");
+    *result = new Result(make());
+  });
 }
 
 }  // namespace convexact::capi

@@ -4,7 +4,9 @@
 
 #include "capi/arrays.hpp"
 #include "capi/guarded.hpp"
+#include "convexact/scene.hpp"
 #include "convexact/simplify.hpp"
+#include "wire/simplify_options.hpp"
 
 struct convexact_solid {
   std::vector<std::array<double, 4>> planes;
@@ -16,22 +18,16 @@ struct convexact_solid {
 namespace convexact::capi {
 namespace {
 
-constexpr CostMeasure kCosts[] = {CostMeasure::Volume, CostMeasure::Area, CostMeasure::MeanWidth};
-constexpr SearchKind kSearches[] = {SearchKind::None, SearchKind::Walk, SearchKind::Local};
-
-convexact_solid simplify_points(PointSet points, std::size_t plane_count,
-                                const convexact_simplify_options& options) {
-  SimplifyRequest request;
-  request.faces = plane_count;
-  request.cost = chosen(kCosts, options.cost);
-  if (options.tie_bits != 0) request.compare.bits = options.tie_bits;
-  request.search.kind = chosen(kSearches, options.search);
-  if (options.kicks != 0) request.search.kicks = options.kicks;
-  if (options.seed != 0) request.seed = options.seed;
+convexact_solid simplify_points(PointSet points, const char* options) {
+  GivenFields given;
+  read_options(options, given.bound(simplify_call_fields()));
+  SimplifyRequest request = simplify_request(given);
   request.store.planes = Precision::Binary64;
   const SimplifyOutcome outcome = simplify(std::move(points), request);
   const auto* result = std::get_if<SimplifyResult>(&outcome);
-  if (result == nullptr) throw Error(ErrorCode::NoInterior, "the points lie in one plane");
+  if (result == nullptr) {
+    throw Error(ErrorCode::NoInterior, describe(std::get<NotSolid>(outcome)));
+  }
   const std::size_t moves = result->search ? result->search->moves.size() : 0;
   convexact_solid solid{result->solid.planes->planes, {}, result->ties, moves};
   for (const Halfspace& plane : result->solid.exact.planes) solid.texts.push_back(to_text(plane));
@@ -43,27 +39,9 @@ convexact_solid simplify_points(PointSet points, std::size_t plane_count,
 
 using namespace convexact::capi;
 
-convexact_status convexact_simplify(const double* points, size_t point_count, size_t plane_count,
+convexact_status convexact_simplify(const double* points, size_t point_count, const char* options,
                                     convexact_solid** result) {
-  return convexact_simplify_with(points, point_count, plane_count, nullptr, result);
-}
-
-convexact_status convexact_simplify_by(const double* points, size_t point_count, size_t plane_count,
-                                       int cost, long tie_bits, convexact_solid** result) {
-  convexact_simplify_options options{};
-  options.size = sizeof options;
-  options.cost = cost;
-  options.tie_bits = tie_bits;
-  return convexact_simplify_with(points, point_count, plane_count, &options, result);
-}
-
-convexact_status convexact_simplify_with(const double* points, size_t point_count,
-                                         size_t plane_count,
-                                         const convexact_simplify_options* options,
-                                         convexact_solid** result) {
-  return guarded(result, [&] {
-    return simplify_points(to_points(points, point_count), plane_count, to_options(options));
-  });
+  return guarded(result, [&] { return simplify_points(to_points(points, point_count), options); });
 }
 
 size_t convexact_solid_move_count(const convexact_solid* result) { return result->moves; }

@@ -2,6 +2,7 @@
 #include "capi/decomposition.hpp"
 #include "capi/guarded.hpp"
 #include "convexact/hull_tree.hpp"
+#include "wire/decompose_options.hpp"
 
 struct convexact_tree {
   std::vector<convexact::HullTreeNode> nodes;
@@ -11,11 +12,9 @@ struct convexact_tree {
 namespace convexact::capi {
 namespace {
 
-convexact_tree tree_of(const Decomposition& made, const convexact_tree_options& options) {
+convexact_tree tree_of(const Decomposition& made, const char* options) {
   TreeRequest request;
-  request.faces = to_limit(options.faces);
-  request.leaf_faces = to_limit(options.leaf_faces);
-  request.precision = to_precision(options.precision);
+  read_options(options, bound_fields(tree_fields(), request));
   BuiltTree built = build_tree(made, std::vector<std::string>(made.parts.size()), request);
   convexact_tree result;
   for (std::size_t i = 0; i < built.tree.nodes.size(); ++i) {
@@ -31,13 +30,10 @@ convexact_tree tree_of(const Decomposition& made, const convexact_tree_options& 
 using namespace convexact::capi;
 
 convexact_status convexact_decomposition_tree(const convexact_decomposition* parts,
-                                              const convexact_tree_options* options,
-                                              convexact_tree** result) {
+                                              const char* options, convexact_tree** result) {
   return guarded(result, [&] {
-    if (parts == nullptr) {
-      throw convexact::Error(convexact::ErrorCode::InvalidArgument, "the parts are missing");
-    }
-    return tree_of(parts->made, to_options(options));
+    if (parts == nullptr) convexact::reject_argument("the parts are missing");
+    return tree_of(parts->made, options);
   });
 }
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-#include <sstream>
 #include <variant>
 
 #include "capi/arrays.hpp"
 #include "capi/guarded.hpp"
+#include "convexact/scene.hpp"
 #include "convexact/verify.hpp"
 #include "convexact/verify_parts.hpp"
 #include "io/used_points.hpp"
@@ -22,11 +22,11 @@ std::vector<NamedPart> to_parts(const double* vertices, const std::size_t* verte
                                 std::size_t count, const std::uint32_t* corners,
                                 const std::size_t* face_sizes, const std::size_t* face_counts) {
   if (vertices == nullptr || vertex_counts == nullptr || count == 0) {
-    throw Error(ErrorCode::InvalidArgument, "the vertices of parts are missing");
+    reject_argument("the vertices of parts are missing");
   }
   std::vector<NamedPart> parts;
   for (std::size_t k = 0; k < count; ++k) {
-    Mesh mesh{to_points(vertices, vertex_counts[k]), {}, {}};
+    Mesh mesh{to_points(vertices, vertex_counts[k], "vertices"), {}, {}};
     vertices += 3 * vertex_counts[k];
     if (face_counts != nullptr && face_counts[k] > 0) {
       mesh.polygons = to_faces(corners, face_sizes, face_counts[k], vertex_counts[k]);
@@ -40,14 +40,12 @@ std::vector<NamedPart> to_parts(const double* vertices, const std::size_t* verte
 
 // Nodes without children are the leaves; their parts are in the order of the leaves.
 HullTree to_tree(std::vector<NamedPart> hulls, const std::size_t* parents) {
-  if (parents == nullptr) throw Error(ErrorCode::InvalidArgument, "the parents are missing");
+  if (parents == nullptr) reject_argument("the parents are missing");
   HullTree tree;
   tree.nodes.resize(hulls.size());
   for (std::size_t i = 0; i < hulls.size(); ++i) {
     if (parents[i] == CONVEXACT_NONE) continue;
-    if (parents[i] >= hulls.size()) {
-      throw Error(ErrorCode::InvalidArgument, "a parent is not the index of a node");
-    }
+    if (parents[i] >= hulls.size()) reject_argument("a parent is not the index of a node");
     tree.nodes[i].parent = parents[i];
     tree.nodes[parents[i]].children.push_back(i);
   }
@@ -63,72 +61,46 @@ HullTree to_tree(std::vector<NamedPart> hulls, const std::size_t* parents) {
   return tree;
 }
 
-std::vector<ClaimCode> to_claims(const char* names) {
-  std::vector<ClaimCode> claims;
-  if (names == nullptr) return claims;
-  std::istringstream list(names);
-  for (std::string name; std::getline(list, name, ',');) {
-    const std::optional<ClaimCode> code = claim_of_name(name);
-    if (!code) throw Error(ErrorCode::InvalidArgument, "no such claim");
-    claims.push_back(*code);
-  }
-  if (claims.empty()) throw Error(ErrorCode::InvalidArgument, "an empty list of claims");
-  return claims;
-}
-
-MeshPoints to_mesh_points(const char* name) {
-  if (name == nullptr) return MeshPoints::All;
-  if (const auto points = value_in(kMeshPointsNames, name)) return *points;
-  throw Error(ErrorCode::InvalidArgument, "no such points: all or used");
-}
-
-PartsRequest to_request(const convexact_parts_options& options) {
-  PartsRequest request;
-  request.points = to_mesh_points(options.points);
-  request.claims = to_claims(options.claims);
-  if (options.tolerance != nullptr) request.tolerance = parse_tolerance(options.tolerance);
-  if (options.distance != nullptr) request.distance = read_distance("distance", options.distance);
-  request.max_parts = to_limit(options.max_parts);
-  request.max_facets = to_limit(options.max_facets);
-  request.max_vertices = to_limit(options.max_vertices);
-  request.max_facet_vertices = to_limit(options.max_facet_vertices);
-  request.measures = PartMeasures::None;
-  return request;
-}
-
-// Budgets are not asked, so there is no simplification to judge.
-Asks to_asks(std::string_view name) {
-  for (const Asks asks : {Asks::Enclosure, Asks::Hull, Asks::Inner}) {
-    if (name == name_of(asks)) return asks;
-  }
-  throw Error(ErrorCode::InvalidArgument, "no such question");
-}
-
-VerifyRequest to_request(const convexact_judge_options& options, std::size_t point_count) {
+// What is asked of a solid, or of each part: no numbers beside the claims, unless they are wanted.
+VerifyRequest asked_of_solid(const GivenFields& given) {
   VerifyRequest request;
-  if (options.asks != nullptr) request.asks = to_asks(options.asks);
   request.tightness = false;
-  if (options.tolerance != nullptr) request.tolerance = parse_tolerance(options.tolerance);
-  request.points = to_mesh_points(options.points);
-  if (options.triangle_count > 0) {
-    request.used = used_points(
-        point_count, to_triangles(options.triangles, options.triangle_count, point_count));
+  given.apply_to(request, verify_call_fields());
+  if (request.exact_facets && !request.max_facets) {
+    reject_argument("exact_facets with max_facets only");
   }
   return request;
 }
 
-convexact_verdict judge(const PointSet& points, const Candidate& candidate,
-                        const convexact_judge_options* options) {
-  VerifyOutcome outcome = verify(points, candidate, to_request(to_options(options), points.size()));
+// A question about parts is no other one than whether they enclose, so `asks` is no option.
+PartsRequest asked_of_parts(const char* options) {
+  GivenFields given;
+  BoundFields fields = given.bound(verify_call_fields());
+  std::erase_if(fields, [](const BoundField& field) { return field.info->name == "asks"; });
+  for (BoundField& field : given.bound(parts_fields())) fields.push_back(std::move(field));
+  read_options(options, fields);
+  PartsRequest request = parts_request(asked_of_solid(given));
+  given.apply_to(request, parts_fields());
+  if (request.exact_volumes && request.measures == PartMeasures::None) {
+    reject_argument("exact_volumes with tightness only");
+  }
+  return request;
+}
+
+convexact_verdict judge(const Mesh& input, const Candidate& candidate, const char* options) {
+  GivenFields given;
+  read_options(options, given.bound(verify_call_fields()));
+  VerifyRequest request = asked_of_solid(given);
+  if (!input.polygons.empty()) request.used = used_points(input.points.size(), input.polygons);
+  VerifyOutcome outcome = verify(input.points, candidate, request);
   if (auto* verdict = std::get_if<Verdict>(&outcome)) {
     return {verdict->holds(), std::move(verdict->claims)};
   }
-  throw Error(ErrorCode::NoInterior, "the points lie in one plane");
+  throw Error(ErrorCode::NoInterior, describe(std::get<NotSolid>(outcome)));
 }
 
-convexact_verdict judge_parts(const Mesh& mesh, const CandidateParts& parts,
-                              const convexact_parts_options* options) {
-  PartsVerdict verdict = verify_parts(mesh, parts, to_request(to_options(options)));
+convexact_verdict judge_parts(const Mesh& mesh, const CandidateParts& parts, const char* options) {
+  PartsVerdict verdict = verify_parts(mesh, parts, asked_of_parts(options));
   return {verdict.holds(), std::move(verdict.claims)};
 }
 
@@ -138,24 +110,26 @@ convexact_verdict judge_parts(const Mesh& mesh, const CandidateParts& parts,
 using namespace convexact::capi;
 
 convexact_status convexact_judge_planes(const double* points, size_t point_count,
+                                        const uint32_t* triangles, size_t triangle_count,
                                         const double* planes, size_t plane_count,
-                                        const convexact_judge_options* options,
-                                        convexact_verdict** result) {
+                                        const char* options, convexact_verdict** result) {
   return guarded(result, [&] {
-    return judge(to_points(points, point_count), to_list(planes, plane_count), options);
+    return judge(to_mesh(points, point_count, triangles, triangle_count),
+                 to_list(planes, plane_count), options);
   });
 }
 
 convexact_status convexact_judge_mesh(const double* points, size_t point_count,
+                                      const uint32_t* triangles, size_t triangle_count,
                                       const double* vertices, size_t vertex_count,
                                       const uint32_t* corners, const size_t* face_sizes,
-                                      size_t face_count, const convexact_judge_options* options,
+                                      size_t face_count, const char* options,
                                       convexact_verdict** result) {
   return guarded(result, [&] {
     convexact::Mesh mesh;
-    mesh.points = to_points(vertices, vertex_count);
+    mesh.points = to_points(vertices, vertex_count, "vertices");
     mesh.polygons = to_faces(corners, face_sizes, face_count, vertex_count);
-    return judge(to_points(points, point_count), mesh, options);
+    return judge(to_mesh(points, point_count, triangles, triangle_count), mesh, options);
   });
 }
 
@@ -164,8 +138,7 @@ convexact_status convexact_verify_parts(const double* points, size_t point_count
                                         const double* vertices, const size_t* vertex_counts,
                                         size_t part_count, const uint32_t* corners,
                                         const size_t* face_sizes, const size_t* face_counts,
-                                        const convexact_parts_options* options,
-                                        convexact_verdict** result) {
+                                        const char* options, convexact_verdict** result) {
   return guarded(result, [&] {
     return judge_parts(
         to_mesh(points, point_count, triangles, triangle_count),
@@ -177,8 +150,7 @@ convexact_status convexact_verify_tree(const double* points, size_t point_count,
                                        const uint32_t* triangles, size_t triangle_count,
                                        const double* vertices, const size_t* vertex_counts,
                                        const size_t* parents, size_t node_count,
-                                       const convexact_parts_options* options,
-                                       convexact_verdict** result) {
+                                       const char* options, convexact_verdict** result) {
   return guarded(result, [&] {
     return judge_parts(
         to_mesh(points, point_count, triangles, triangle_count),

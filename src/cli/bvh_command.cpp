@@ -194,17 +194,13 @@ void add_bvh_command(Command& program, int& exit_code) {
       "how to join parts: by the splits or the next merges of the method, or by the least volume "
       "of the common hull, with which rays visit fewer nodes")
       ->excludes(from);
-  add_faces(command, options->tree.faces, "how many halfspaces to keep of each branch, at least 4");
-  add_count(command, "--leaf-faces", options->tree.leaf_faces, {4, std::uint64_t(1) << 32},
-            "how many halfspaces to keep of each part, at least 4");
+  add_fields(command, bound_fields(tree_fields(), options->tree, {"faces", "leaf_faces"}));
   command.add_option("-o,--output", options->output,
                      "file for the parts and the tree (.json), which query and verify read");
   command.add_option(
       "--picture", options->picture,
       "a page (.html) that shows the parts, and the hulls of each level around them");
-  add_choice<Precision>(command, "--precision", options->tree.precision,
-                        {{"64", Precision::Binary64}, {"32", Precision::Binary32}},
-                        "the numbers of the hulls: binary64, or rounded outward to binary32");
+  add_fields(command, bound_fields(tree_fields(), options->tree, {"precision"}));
   options->scene.on_read = remember_input;
   add_points_option(command, options->scene.points);
   add_decimal_option(command, options->scene.decimal);

@@ -21,18 +21,8 @@ Profile find_profile(const std::string& name) {
 void add_claims_option(Command& command, std::vector<ClaimCode>& claims,
                        const std::string& meaning) {
   add_text(command, "--claims", meaning, [&claims](const auto& option, const auto& text) {
-    for (const std::string& word : words_of(text)) {
-      if (const auto code = claim_of_name(word)) {
-        claims.push_back(*code);
-        continue;
-      }
-      std::vector<std::string> names;
-      for (int known = 0; known <= static_cast<int>(ClaimCode::TreeNested); ++known) {
-        names.emplace_back(name_of(static_cast<ClaimCode>(known)));
-      }
-      throw Error(ErrorCode::InvalidArgument, option + ": expected names out of " +
-                                                  join(names, ", ") + "; found " + in_quotes(word));
-    }
+    const std::vector<ClaimCode> named = parse_claims(option, text);
+    claims.insert(claims.end(), named.begin(), named.end());
   });
 }
 

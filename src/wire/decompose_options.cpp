@@ -18,9 +18,10 @@ std::string spell_limit(const ConcavityLimit& limit) {
   return limit.is_share ? to_string(Rational(limit.value * 100)) + "%" : to_string(limit.value);
 }
 
+constexpr std::uint64_t kMostFaces = std::uint64_t(1) << 32;
+
 Fields<DecomposeRequest> make_fields() {
   using R = DecomposeRequest;
-  constexpr std::uint64_t kMostFaces = std::uint64_t(1) << 32;
   Fields<R> fields = {
       choice_field<R>(
           "method", &R::method, kDecomposeMethodNames,
@@ -113,10 +114,51 @@ Fields<DecomposeRequest> make_fields() {
   return fields;
 }
 
+Fields<DecomposeRequest> make_call_fields() {
+  using R = DecomposeRequest;
+  Fields<R> fields = decompose_fields();
+  fields.push_back(flag_field<R>("tree", &R::for_tree,
+                                 "find the merges that would come next, for a tree of the parts"));
+  fields.push_back(flag_field<R>("exact_volumes", &R::exact_volumes,
+                                 "volumes as fractions, too, which may be very long"));
+  Field<R> no_measures{
+      {"no_measures", FieldKind::Flag, "measure no volumes and distances", {}, {}, 0},
+      [](R& request, const std::string&, const std::string& text) {
+        request.measures = text == "true" ? PartMeasures::None : PartMeasures::All;
+      },
+      [](const R& request) { return request.measures == PartMeasures::None ? "true" : ""; }};
+  fields.push_back(std::move(no_measures));
+  fields.push_back(count_field<R>("seed", &R::seed, {}, "of every random order"));
+  return fields;
+}
+
+Fields<TreeRequest> make_tree_fields() {
+  using R = TreeRequest;
+  Fields<R> fields = {
+      count_field<R>("faces", &R::faces, {4, kMostFaces},
+                     "how many halfspaces to keep of each branch, at least 4"),
+      count_field<R>("leaf_faces", &R::leaf_faces, {4, kMostFaces},
+                     "how many halfspaces to keep of each part, at least 4"),
+      choice_field<R>("precision", &R::precision, kBitsNames,
+                      "the numbers of the hulls: binary64, or rounded outward to binary32")};
+  fields[0].letter = 'k';
+  return fields;
+}
+
 }  // namespace
 
 const Fields<DecomposeRequest>& decompose_fields() {
   static const Fields<DecomposeRequest> fields = make_fields();
+  return fields;
+}
+
+const Fields<DecomposeRequest>& decompose_call_fields() {
+  static const Fields<DecomposeRequest> fields = make_call_fields();
+  return fields;
+}
+
+const Fields<TreeRequest>& tree_fields() {
+  static const Fields<TreeRequest> fields = make_tree_fields();
   return fields;
 }
 

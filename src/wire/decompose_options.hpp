@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
-// decompose_options.hpp - the options of a decomposition as users spell them: on the command line,
-// in requests and in the C interface.
+// decompose_options.hpp - the options of a decomposition, and of a tree over its parts, as users
+// spell them: on the command line, in requests and in the C interface.
 #pragma once
 #include <string>
 
 #include "convexact/decompose.hpp"
+#include "convexact/hull_tree.hpp"
 #include "convexact/number.hpp"
 #include "io/names.hpp"
 #include "wire/field.hpp"
@@ -57,6 +58,13 @@ inline constexpr auto kLoosePointsNames =
 
 /// All that the command line and lines of JSON have in common.
 [[nodiscard]] const Fields<DecomposeRequest>& decompose_fields();
+
+/// The same, and what the command line says for all of its commands, or by its outputs: tree,
+/// exact_volumes, no_measures and seed. For lines of JSON and the C interface.
+[[nodiscard]] const Fields<DecomposeRequest>& decompose_call_fields();
+
+/// faces, leaf_faces and precision.
+[[nodiscard]] const Fields<TreeRequest>& tree_fields();
 
 /// "3%" and "0.03d" are shares of the diameter, "0.05" is a length; all exact.
 /// @param option  Its name, for the message.

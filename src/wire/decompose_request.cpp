@@ -20,29 +20,21 @@ namespace {
 
 using nlohmann::json;
 
-std::uint64_t seed_in(const json& request) {
-  if (!request.contains("seed")) return DecomposeRequest().seed;
-  if (!request["seed"].is_number_unsigned()) reject_request("seed as a number from 0 to 2^64 - 1");
-  return request["seed"].get<std::uint64_t>();
-}
-
 // Each option by its name on the command line, with its meaning and default there; and those that
 // stand for options of the whole command line or of its files.
 DecomposeRequest decompose_request_of(const json& request) {
   DecomposeRequest wanted = default_decompose_request();
-  const BoundFields fields = bound_fields(decompose_fields(), wanted);
-  require_known_keys(request,
-                     {"id", "points", "triangles", "decimal", "numbers", "time_limit", "seed",
-                      "tree", "tree_faces", "exact_volumes", "no_measures"},
-                     "the request", fields);
+  const BoundFields fields = bound_fields(decompose_call_fields(), wanted);
+  require_known_keys(
+      request, {"id", "points", "triangles", "decimal", "numbers", "time_limit", "tree_faces"},
+      "the request", fields);
+  if (request.contains("seed") && !request["seed"].is_number_unsigned()) {
+    reject_request("seed as a number from 0 to 2^64 - 1");
+  }
   read_fields(request, fields);
-  wanted.for_tree = flag_in(request, "tree").value_or(false);
-  wanted.exact_volumes = flag_in(request, "exact_volumes").value_or(false);
-  if (flag_in(request, "no_measures").value_or(false)) wanted.measures = PartMeasures::None;
   if (wanted.exact_volumes && wanted.measures == PartMeasures::None) {
     reject_request("exact_volumes or no_measures, not both");
   }
-  wanted.seed = seed_in(request);
   return wanted;
 }
 

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <charconv>
+#include <set>
 
 #include "convexact/error.hpp"
 #include "number/text.hpp"
@@ -35,6 +36,54 @@ void reject_word(const std::string& option, const std::vector<std::string>& word
                  const std::string& found) {
   throw Error(ErrorCode::InvalidArgument, fmt::format("{}: expected one of {}, found {}", option,
                                                       fmt::join(words, ", "), in_quotes(found)));
+}
+
+namespace {
+
+const BoundField& field_of(const std::string& name, const BoundFields& fields) {
+  const auto field = std::find_if(fields.begin(), fields.end(), [&](const BoundField& known) {
+    return known.info->name == name;
+  });
+  if (field != fields.end()) return *field;
+  std::vector<std::string> names;
+  for (const BoundField& known : fields) names.push_back(known.info->name);
+  reject_argument(fmt::format("there is no option {}: expected options out of {}", in_quotes(name),
+                              fmt::join(names, ", ")));
+}
+
+void read_value(const BoundField& field, const std::string& value) {
+  const std::string& name = field.info->name;
+  if (field.info->kind == FieldKind::Flag && value != "true" && value != "false") {
+    reject_word(name, {"false", "true"}, value);
+  }
+  try {
+    field.read(name, value);
+  } catch (const Error& error) {
+    const std::string why = error.what();
+    if (why.starts_with(name + ":")) throw;
+    throw Error(error.code(), name + ": " + why);
+  }
+}
+
+}  // namespace
+
+void read_options(const char* given_text, const BoundFields& fields) {
+  const std::string_view text = given_text == nullptr ? "" : given_text;
+  constexpr std::string_view kBlanks = " \t\r\n";
+  std::set<std::string> given;
+  std::size_t end = 0;
+  for (std::size_t at = 0; (at = text.find_first_not_of(kBlanks, end)) != text.npos;) {
+    end = std::min(text.find_first_of(kBlanks, at), text.size());
+    const std::string_view option = text.substr(at, end - at);
+    const std::size_t equals = option.find('=');
+    const std::string name(option.substr(0, equals));
+    const BoundField& field = field_of(name, fields);
+    if (!given.insert(name).second) reject_argument(name + ": given twice");
+    const bool is_alone = equals == option.npos && field.info->kind == FieldKind::Flag;
+    read_value(field, is_alone                ? "true"
+                      : equals == option.npos ? ""
+                                              : std::string(option.substr(equals + 1)));
+  }
 }
 
 }  // namespace convexact

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // field.hpp - the options of a request, each declared once: the command line, lines of JSON,
-// profiles, their schemas and the manual read the same table.
+// texts of options in C, profiles, their schemas and the manual read the same table.
 #pragma once
 #include <algorithm>
 #include <cstdint>
@@ -85,6 +85,14 @@ template <class Request>
   }
   return bound;
 }
+
+/// Gives each field that a text of options names its value, spelled as on the command line:
+/// "method=cut max_parts=8 disjoint". A flag is its name alone, or true or false; blanks are
+/// between options.
+/// @param text  May be null: no option.
+/// @throws Error InvalidArgument, naming the option, for one that is not among the fields, which it
+///               lists, for one that is given twice, and as Field::read.
+void read_options(const char* text, const BoundFields& fields);
 
 /// Options as they were given, for a request that is yet to be made.
 class GivenFields {

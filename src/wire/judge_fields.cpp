@@ -1,7 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "wire/judge_fields.hpp"
 
+#include <fmt/format.h>
+
+#include <sstream>
+
+#include "convexact/error.hpp"
 #include "io/used_points.hpp"
+#include "number/text.hpp"
 #include "simplify/run_names.hpp"
 #include "wire/decompose_options.hpp"
 #include "wire/verdict_report.hpp"
@@ -78,6 +84,37 @@ const Fields<VerifyRequest>& verify_fields() {
        flag_field<R>("tightness", &R::tightness, "measure volume, area, mean width and distance"),
        choice_field<R>("judge_points", &R::points, kMeshPointsNames,
                        "of an input with faces, whether points that no face uses count")});
+  return fields;
+}
+
+std::vector<ClaimCode> parse_claims(const std::string& option, const std::string& text) {
+  std::vector<ClaimCode> claims;
+  // A comma at the end, since a stream ends before an empty last word.
+  std::istringstream words(text + ",");
+  for (std::string word; std::getline(words, word, ',');) {
+    if (const auto code = claim_of_name(word)) {
+      claims.push_back(*code);
+      continue;
+    }
+    std::vector<std::string> names;
+    for (int known = 0; known <= static_cast<int>(ClaimCode::TreeNested); ++known) {
+      names.emplace_back(name_of(static_cast<ClaimCode>(known)));
+    }
+    reject_argument(fmt::format("{}: expected names out of {}; found {}", option,
+                                fmt::join(names, ", "), in_quotes(word)));
+  }
+  return claims;
+}
+
+const Fields<VerifyRequest>& verify_call_fields() {
+  using R = VerifyRequest;
+  static const Fields<R> fields = [] {
+    Fields<R> all = verify_fields();
+    all.push_back(text_field<R>(
+        "claims", &R::claims, parse_claims, [](const std::vector<ClaimCode>&) { return ""; },
+        "decide these claims only, separated by commas"));
+    return all;
+  }();
   return fields;
 }
 

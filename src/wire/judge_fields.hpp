@@ -20,6 +20,14 @@ namespace convexact {
 /// exact_facets, tightness, and judge_points.
 [[nodiscard]] const Fields<VerifyRequest>& verify_fields();
 
+/// The names of claims, separated by commas.
+/// @throws Error InvalidArgument, listing the names, for any other word, even an empty one.
+[[nodiscard]] std::vector<ClaimCode> parse_claims(const std::string& option,
+                                                  const std::string& text);
+
+/// The same, and the list of claims: for the C interface.
+[[nodiscard]] const Fields<VerifyRequest>& verify_call_fields();
+
 /// "3%" and "0.03d" are shares of the diameter, "0.05" is a length; all exact.
 /// @throws Error InvalidArgument for anything else, naming the option.
 [[nodiscard]] Tolerance read_distance(const std::string& option, const std::string& text);

@@ -122,6 +122,16 @@ const Fields<SimplifyRequest>& simplify_fields() {
   return fields;
 }
 
+const Fields<SimplifyRequest>& simplify_call_fields() {
+  static const Fields<SimplifyRequest> fields = [] {
+    Fields<SimplifyRequest> all = simplify_fields();
+    all.push_back(
+        count_field<SimplifyRequest>("seed", &SimplifyRequest::seed, {}, "of every random order"));
+    return all;
+  }();
+  return fields;
+}
+
 const Fields<InnerRequest>& inner_fields() {
   static const Fields<InnerRequest> fields = make_inner_fields();
   return fields;
@@ -129,7 +139,7 @@ const Fields<InnerRequest>& inner_fields() {
 
 SimplifyRequest simplify_request(const GivenFields& given) {
   SimplifyRequest request;
-  given.apply_to(request, simplify_fields());
+  given.apply_to(request, simplify_call_fields());
   const SearchKind search = request.search.kind;
   if (given.has("moves") && search != SearchKind::Local && search != SearchKind::Optimal) {
     reject_argument(

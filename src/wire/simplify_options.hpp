@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // simplify_options.hpp - the options of runs that leave few halfspaces, or few vertices, as users
-// spell them: on the command line and in Python.
+// spell them: on the command line, in Python and in C.
 #pragma once
 #include <optional>
 #include <string>
@@ -20,6 +20,9 @@ inline constexpr auto kSearchKindNames = name_table<SearchKind>({{SearchKind::No
 inline constexpr CountRange kTieBits{128, 1 << 20};
 
 [[nodiscard]] const Fields<SimplifyRequest>& simplify_fields();
+
+/// The same, and the seed, which is an option of all commands: for Python and the C interface.
+[[nodiscard]] const Fields<SimplifyRequest>& simplify_call_fields();
 
 /// `faces` are triangles here: as many vertices as have no more.
 [[nodiscard]] const Fields<InnerRequest>& inner_fields();

@@ -172,50 +172,60 @@ Judged take(convexact_status status, convexact_verdict* result) {
   return judged;
 }
 
-Judged judge_planes(const Numbers& planes, const char* tolerance, const char* asks = nullptr) {
+Judged judge_planes(const Numbers& planes, const std::string& options = "") {
   convexact_verdict* result = nullptr;
   const Numbers points = cube();
-  convexact_judge_options options{};
-  options.size = sizeof options;
-  options.asks = asks;
-  options.tolerance = tolerance;
-  const auto status =
-      convexact_judge_planes(points.data(), 8, planes.data(), planes.size() / 4, &options, &result);
+  const auto status = convexact_judge_planes(points.data(), 8, nullptr, 0, planes.data(),
+                                             planes.size() / 4, options.c_str(), &result);
   return take(status, result);
 }
 
 Judged judge_mesh(const Numbers& points, const Numbers& vertices,
                   const std::vector<std::uint32_t>& corners, const std::vector<std::size_t>& sizes,
-                  const char* tolerance = nullptr) {
+                  const char* options = nullptr) {
   convexact_verdict* result = nullptr;
-  convexact_judge_options options{};
-  options.size = sizeof options;
-  options.tolerance = tolerance;
-  const auto status =
-      convexact_judge_mesh(points.data(), points.size() / 3, vertices.data(), vertices.size() / 3,
-                           corners.data(), sizes.data(), sizes.size(), &options, &result);
+  const auto status = convexact_judge_mesh(points.data(), points.size() / 3, nullptr, 0,
+                                           vertices.data(), vertices.size() / 3, corners.data(),
+                                           sizes.data(), sizes.size(), options, &result);
   return take(status, result);
 }
 
 }  // namespace
 
 TEST_CASE("C interface: a tolerance lets pass what is within it, exactly (#13)") {
-  CHECK(judge_planes(cube_planes(), nullptr).holds);
+  CHECK(judge_planes(cube_planes()).holds);
   // A quarter is missing at the top; the diameter is sqrt(48), so that is 0.03608... of it.
-  for (const char* enough : {"0.25", "1", "0.0361d"}) {
+  for (const std::string enough : {"0.25", "1", "0.0361d"}) {
     CAPTURE(enough);
-    CHECK(judge_planes(cube_planes(3.75), enough).holds);
+    CHECK(judge_planes(cube_planes(3.75), "tolerance=" + enough).holds);
   }
-  for (const char* little : {"0", "0.24999999999999999999", "0.036d"}) {
+  for (const std::string little : {"0", "0.24999999999999999999", "0.036d"}) {
     CAPTURE(little);
-    const Judged judged = judge_planes(cube_planes(3.75), little);
+    const Judged judged = judge_planes(cube_planes(3.75), "tolerance=" + little);
     CHECK(judged.status == CONVEXACT_OK);
     CHECK_FALSE(judged.holds);
     CHECK(judged.claims.at("contains-input") == "violated");
     CHECK(judged.sentences.at("contains-input") != "");
   }
-  CHECK(judge_planes(cube_planes(), "much").status == CONVEXACT_INVALID_ARGUMENT);
-  CHECK(judge_planes(cube_planes(), "-1").status == CONVEXACT_INVALID_ARGUMENT);
+  CHECK(judge_planes(cube_planes(), "tolerance=much").status == CONVEXACT_INVALID_ARGUMENT);
+  CHECK(judge_planes(cube_planes(), "tolerance=-1").status == CONVEXACT_INVALID_ARGUMENT);
+}
+
+TEST_CASE("C interface: questions about a solid are asked by name") {
+  const Judged hull = judge_planes(cube_planes(5), "asks=hull tolerance=0.5");
+  CHECK(hull.claims.at("contains-input") == "holds");
+  CHECK(hull.claims.at("is-hull") == "violated");
+  const Judged inner = judge_planes(cube_planes(5), "asks=inner");
+  CHECK(inner.claims.at("inside-input") == "violated");
+  CHECK(judge_planes(cube_planes(), "max_facets=6 max_vertices=8 max_facet_vertices=4").holds);
+  CHECK(judge_planes(cube_planes(), "max_facets=5").claims.at("max-facets") == "violated");
+  const Judged named = judge_planes(cube_planes(3.75), "claims=candidate-solid,candidate-bounded");
+  CHECK(named.holds);
+  CHECK(named.claims.at("contains-input") == "not-asked");
+  for (const char* refused : {"asks=simplify", "exact_facets", "claims=", "claims=holds"}) {
+    CAPTURE(refused);
+    CHECK(judge_planes(cube_planes(), refused).status == CONVEXACT_INVALID_ARGUMENT);
+  }
 }
 
 TEST_CASE("C interface: the faces of a mesh are judged (#13)") {
@@ -226,7 +236,7 @@ TEST_CASE("C interface: the faces of a mesh are judged (#13)") {
     CAPTURE(claim);
     CHECK(good.claims.at(claim) == "holds");
   }
-  CHECK(judge_mesh(cube(), cube(3.75), kSides, sizes, "0.25").holds);
+  CHECK(judge_mesh(cube(), cube(3.75), kSides, sizes, "tolerance=0.25").holds);
   const Judged open = judge_mesh(cube(), cube(), kSides, std::vector<std::size_t>(5, 4));
   CHECK_FALSE(open.holds);
   CHECK(open.claims.at("mesh-closed") == "violated");
@@ -249,8 +259,8 @@ TEST_CASE("C interface: meshes that make no sense are a status (#13)") {
         CONVEXACT_NO_INTERIOR);
   const Numbers points = cube();
   convexact_verdict* result = nullptr;
-  CHECK(take(convexact_judge_mesh(points.data(), 8, points.data(), 8, nullptr, sizes.data(), 6,
-                                  nullptr, &result),
+  CHECK(take(convexact_judge_mesh(points.data(), 8, nullptr, 0, points.data(), 8, nullptr,
+                                  sizes.data(), 6, nullptr, &result),
              result)
             .status == CONVEXACT_INVALID_ARGUMENT);
   // What is wrong with a candidate is a claim: the vertices lie in one plane.
@@ -266,29 +276,23 @@ TEST_CASE("C interface: points that no triangle uses are asked or not") {
   points.insert(points.end(), {9, 2, 2});
   const std::vector<std::uint32_t> triangles{0, 1, 2, 3, 4, 5, 6, 7, 0};
   const Numbers planes = cube_planes();
-  const auto judge = [&](const char* which) {
-    convexact_judge_options options{};
-    options.size = sizeof options;
-    options.asks = "hull";
-    options.triangles = triangles.data();
-    options.triangle_count = 3;
-    options.points = which;
+  const auto judge = [&](const char* options) {
     convexact_verdict* result = nullptr;
-    const auto status = convexact_judge_planes(points.data(), 9, planes.data(), planes.size() / 4,
-                                               &options, &result);
+    const auto status = convexact_judge_planes(points.data(), 9, triangles.data(), 3, planes.data(),
+                                               planes.size() / 4, options, &result);
     return take(status, result);
   };
-  CHECK(judge("used").holds);
-  CHECK(!judge("all").holds);
-  CHECK(!judge(nullptr).holds);
-  CHECK(judge("some").status == CONVEXACT_INVALID_ARGUMENT);
+  CHECK(judge("asks=hull judge_points=used").holds);
+  CHECK(!judge("asks=hull judge_points=all").holds);
+  CHECK(!judge("asks=hull").holds);
+  CHECK(judge("asks=hull judge_points=some").status == CONVEXACT_INVALID_ARGUMENT);
 }
 
 TEST_CASE("C interface: simplify encloses, in doubles and exactly") {
   Numbers points = cube();
   points[21] = 3.5;  // the corner (4, 4, 4) becomes (3.5, 4, 4)
   convexact_solid* solid = nullptr;
-  REQUIRE(convexact_simplify(points.data(), 8, 6, &solid) == CONVEXACT_OK);
+  REQUIRE(convexact_simplify(points.data(), 8, "faces=6", &solid) == CONVEXACT_OK);
   const std::size_t count = convexact_solid_plane_count(solid);
   CHECK(count == 6);
   Numbers planes(4 * count), exact(4 * count);
@@ -302,10 +306,24 @@ TEST_CASE("C interface: simplify encloses, in doubles and exactly") {
   CHECK(in_planes(points, planes).holds);
   CHECK(in_planes(points, exact).holds);
 
-  CHECK(convexact_simplify(points.data(), 8, 3, &solid) == CONVEXACT_INVALID_ARGUMENT);
-  CHECK(solid == nullptr);
-  CHECK(convexact_simplify(points.data(), 3, 6, &solid) == CONVEXACT_NO_INTERIOR);
-  CHECK(convexact_simplify(points.data(), 8, 6, nullptr) == CONVEXACT_INVALID_ARGUMENT);
+  // Without a number of faces and without a limit of growth there is no end, as in the program.
+  for (const char* refused : {"faces=3", "", static_cast<const char*>(nullptr)}) {
+    CHECK(convexact_simplify(points.data(), 8, refused, &solid) == CONVEXACT_INVALID_ARGUMENT);
+    CHECK(solid == nullptr);
+  }
+  CHECK(convexact_simplify(points.data(), 3, "faces=6", &solid) == CONVEXACT_NO_INTERIOR);
+  CHECK(convexact_simplify(points.data(), 8, "faces=6", nullptr) == CONVEXACT_INVALID_ARGUMENT);
+  // The corner that is cut off has a volume of 4/3; the cube, of 64.
+  REQUIRE(convexact_simplify(points.data(), 8, "max_growth=0", &solid) == CONVEXACT_OK);
+  CHECK(convexact_solid_plane_count(solid) > 6);
+  convexact_solid_free(solid);
+  for (const char* engine : {"exact", "filtered", "float"}) {
+    CAPTURE(engine);
+    const std::string options = std::string("max_growth=10% engine=") + engine;
+    REQUIRE(convexact_simplify(points.data(), 8, options.c_str(), &solid) == CONVEXACT_OK);
+    CHECK(convexact_solid_plane_count(solid) == 6);
+    convexact_solid_free(solid);
+  }
 }
 
 namespace {
@@ -318,11 +336,11 @@ Numbers twice_cut(double a) {
 }
 
 // Whether seven planes of it, by this cost, are without the one at the origin.
-bool fills_origin(double a, int cost) {
+bool fills_origin(double a, const std::string& cost) {
   const Numbers points = twice_cut(a);
   convexact_solid* solid = nullptr;
-  REQUIRE(convexact_simplify_by(points.data(), points.size() / 3, 7, cost, 0, &solid) ==
-          CONVEXACT_OK);
+  REQUIRE(convexact_simplify(points.data(), points.size() / 3, ("faces=7 cost=" + cost).c_str(),
+                             &solid) == CONVEXACT_OK);
   CHECK(convexact_solid_plane_count(solid) == 7);
   CHECK(convexact_solid_tie_count(solid) == 0);
   bool fills = true;
@@ -343,12 +361,12 @@ bool fills_origin(double a, int cost) {
 // adds 0.15625, 0.668 and 0.442; that at the origin 0.16667, 0.634 and 0.659 if a = 1, and 0.0703,
 // 0.357 and 0.494 if a = 3/4.
 TEST_CASE("C interface: the measure of the costs decides which planes stay") {
-  CHECK_FALSE(fills_origin(1, CONVEXACT_COST_VOLUME));
-  CHECK(fills_origin(1, CONVEXACT_COST_AREA));
-  CHECK_FALSE(fills_origin(1, CONVEXACT_COST_MEAN_WIDTH));
-  CHECK(fills_origin(0.75, CONVEXACT_COST_VOLUME));
-  CHECK(fills_origin(0.75, CONVEXACT_COST_AREA));
-  CHECK_FALSE(fills_origin(0.75, CONVEXACT_COST_MEAN_WIDTH));
+  CHECK_FALSE(fills_origin(1, "volume"));
+  CHECK(fills_origin(1, "area"));
+  CHECK_FALSE(fills_origin(1, "mean-width"));
+  CHECK(fills_origin(0.75, "volume"));
+  CHECK(fills_origin(0.75, "area"));
+  CHECK_FALSE(fills_origin(0.75, "mean-width"));
 }
 
 // Two opposite corners of a cube, cut off alike: the first removal is one of two that cost the
@@ -356,10 +374,13 @@ TEST_CASE("C interface: the measure of the costs decides which planes stay") {
 TEST_CASE("C interface: ties are counted, and proven for each measure") {
   const Numbers points = {1, 0, 0, 0, 1, 0, 0, 0, 1, 4, 0, 0, 0, 4, 0, 4, 4, 0,
                           0, 0, 4, 4, 0, 4, 0, 4, 4, 3, 4, 4, 4, 3, 4, 4, 4, 3};
-  for (const int cost : {CONVEXACT_COST_VOLUME, CONVEXACT_COST_AREA, CONVEXACT_COST_MEAN_WIDTH}) {
+  const auto simplified = [&](const std::string& options, convexact_solid** solid) {
+    return convexact_simplify(points.data(), 12, ("faces=6 " + options).c_str(), solid);
+  };
+  for (const std::string cost : {"volume", "area", "mean-width"}) {
     CAPTURE(cost);
     convexact_solid* solid = nullptr;
-    REQUIRE(convexact_simplify_by(points.data(), 12, 6, cost, 128, &solid) == CONVEXACT_OK);
+    REQUIRE(simplified("tie_bits=128 cost=" + cost, &solid) == CONVEXACT_OK);
     CHECK(convexact_solid_plane_count(solid) == 6);
     CHECK(convexact_solid_tie_count(solid) == 1);
     CHECK(convexact_solid_undecided_count(solid) == 0);
@@ -367,13 +388,11 @@ TEST_CASE("C interface: ties are counted, and proven for each measure") {
     convexact_solid_free(solid);
   }
   convexact_solid* solid = nullptr;
-  for (const int cost : {-1, 3}) {
-    CHECK(convexact_simplify_by(points.data(), 12, 6, cost, 0, &solid) ==
-          CONVEXACT_INVALID_ARGUMENT);
+  for (const char* cost : {"cost=width", "cost=0", "cost=", "cost"}) {
+    CHECK(simplified(cost, &solid) == CONVEXACT_INVALID_ARGUMENT);
   }
-  for (const long bits : {-1L, 127L, 1048577L}) {
-    CHECK(convexact_simplify_by(points.data(), 12, 6, CONVEXACT_COST_MEAN_WIDTH, bits, &solid) ==
-          CONVEXACT_INVALID_ARGUMENT);
+  for (const std::string bits : {"-1", "127", "1048577"}) {
+    CHECK(simplified("cost=mean-width tie_bits=" + bits, &solid) == CONVEXACT_INVALID_ARGUMENT);
     CHECK(solid == nullptr);
   }
 }
@@ -386,13 +405,10 @@ struct Searched {
   std::size_t moves = 0;
 };
 
-Searched searched(const Numbers& points, int search, std::size_t kicks = 0,
-                  std::uint64_t seed = 0) {
-  const convexact_simplify_options options{
-      sizeof options, CONVEXACT_COST_VOLUME, 0, search, kicks, seed};
+Searched searched(const Numbers& points, const std::string& search) {
   convexact_solid* solid = nullptr;
-  REQUIRE(convexact_simplify_with(points.data(), points.size() / 3, 4, &options, &solid) ==
-          CONVEXACT_OK);
+  REQUIRE(convexact_simplify(points.data(), points.size() / 3, ("faces=4 search=" + search).c_str(),
+                             &solid) == CONVEXACT_OK);
   Searched result{{}, convexact_solid_move_count(solid)};
   for (std::size_t i = 0; i < convexact_solid_plane_count(solid); ++i) {
     result.planes.emplace_back(convexact_solid_plane_text(solid, i));
@@ -435,25 +451,23 @@ TEST_CASE("C interface: a search ends at fewer volume") {
     }
   }
   const double hull = 8 * 5 * (3 + std::sqrt(5.0)) / 12;  // of edges of length 2
-  const Searched none = searched(points, CONVEXACT_SEARCH_NONE);
+  const Searched none = searched(points, "none");
   CHECK(none.moves == 0);
-  CHECK(searched(points, CONVEXACT_SEARCH_NONE, 7).planes == none.planes);
-  const Searched local = searched(points, CONVEXACT_SEARCH_LOCAL);
+  CHECK(searched(points, "none seed=7").planes == none.planes);
+  const Searched local = searched(points, "local");
   CHECK(local.moves > 0);
   CHECK(tetrahedron_volume(local.planes) / hull ==
         doctest::Approx((7 + 3 * std::sqrt(5.0)) / 5).epsilon(1e-9));
   CHECK(tetrahedron_volume(none.planes) / hull > 5);
-  CHECK(searched(points, CONVEXACT_SEARCH_LOCAL, 200, 1).planes == local.planes);
+  CHECK(searched(points, "local moves=200 seed=1").planes == local.planes);
 
+  // What a search reads needs a search.
   convexact_solid* solid = nullptr;
-  convexact_simplify_options options{sizeof options, 0, 0, 3, 0, 0};
-  CHECK(convexact_simplify_with(points.data(), 12, 4, &options, &solid) ==
-        CONVEXACT_INVALID_ARGUMENT);
-  options.size = 1;
-  CHECK(convexact_simplify_with(points.data(), 12, 4, &options, &solid) ==
-        CONVEXACT_INVALID_ARGUMENT);
-  CHECK(convexact_simplify_with(points.data(), 12, 6, nullptr, &solid) == CONVEXACT_OK);
-  convexact_solid_free(solid);
+  for (const char* refused : {"faces=4 search=far", "faces=4 moves=7", "faces=4 nodes=7"}) {
+    CAPTURE(refused);
+    CHECK(convexact_simplify(points.data(), 12, refused, &solid) == CONVEXACT_INVALID_ARGUMENT);
+    CHECK(solid == nullptr);
+  }
 }
 
 TEST_CASE("C interface: many threads at once come to the same verdicts") {

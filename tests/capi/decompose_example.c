@@ -14,14 +14,13 @@ static const uint32_t triangles[][3] = {{3, 5, 4},  {3, 0, 5},  {3, 1, 0},   {3,
 
 static void require(convexact_status status) {
   if (status == CONVEXACT_OK) return;
-  fprintf(stderr, "convexact: %s\n", convexact_status_text(status));
+  fprintf(stderr, "convexact: %s\n", convexact_message());
   exit(EXIT_FAILURE);
 }
 
 int main(void) {
-  const convexact_decompose_options options = {.size = sizeof options, .concavity = "5%"};
   convexact_decomposition* parts;
-  require(convexact_decompose(&points[0][0], 12, &triangles[0][0], 20, &options, &parts));
+  require(convexact_decompose(&points[0][0], 12, &triangles[0][0], 20, "concavity=5%", &parts));
   double solid[2], both[2];
   convexact_decomposition_volume(parts, CONVEXACT_VOLUME_SOLID, solid);
   convexact_decomposition_volume(parts, CONVEXACT_VOLUME_UNION, both);

@@ -64,23 +64,20 @@ Triangles flat_shape() {
   return flat;
 }
 
+// Clusters are the two arms of the L, and as hulls of points of the mesh have its doubles.
+const std::string kHacd = "method=hacd", kOnePart = "method=hacd max_parts=1";
+
 using Decomposition =
     std::unique_ptr<convexact_decomposition, decltype(&convexact_decomposition_free)>;
 
-convexact_decompose_options defaults() {
-  convexact_decompose_options options{};
-  options.size = sizeof options;
-  return options;
-}
-
-Decomposition decompose(const Triangles& mesh, const convexact_decompose_options& options) {
+Decomposition decompose(const Triangles& mesh, const std::string& options) {
   convexact_decomposition* result = nullptr;
   REQUIRE(convexact_decompose(mesh.points.data(), mesh.point_count(), mesh.corners.data(),
-                              mesh.count(), &options, &result) == CONVEXACT_OK);
+                              mesh.count(), options.c_str(), &result) == CONVEXACT_OK);
   return {result, convexact_decomposition_free};
 }
 
-convexact_status refusal(const Triangles& mesh, const convexact_decompose_options* options) {
+convexact_status refusal(const Triangles& mesh, const char* options) {
   convexact_decomposition* result = nullptr;
   const auto status = convexact_decompose(mesh.points.data(), mesh.point_count(),
                                           mesh.corners.data(), mesh.count(), options, &result);
@@ -186,8 +183,7 @@ Judged taken(convexact_status status, convexact_verdict* result) {
   return judged;
 }
 
-Judged judge(const Triangles& mesh, const Parts& parts,
-             const convexact_parts_options* options = nullptr) {
+Judged judge(const Triangles& mesh, const Parts& parts, const char* options = nullptr) {
   convexact_verdict* result = nullptr;
   const auto status = convexact_verify_parts(
       mesh.points.data(), mesh.point_count(), mesh.corners.data(), mesh.count(),
@@ -196,22 +192,13 @@ Judged judge(const Triangles& mesh, const Parts& parts,
   return taken(status, result);
 }
 
-convexact_parts_options questions() {
-  convexact_parts_options options{};
-  options.size = sizeof options;
-  return options;
-}
-
 }  // namespace
 
 TEST_CASE("C interface: an L becomes two parts that own its triangles") {
   const Triangles mesh = l_shape();
-  for (const int method : {CONVEXACT_HACD, CONVEXACT_ACD}) {
+  for (const std::string method : {"hacd", "acd", "cut", "auto"}) {
     CAPTURE(method);
-    convexact_decompose_options options = defaults();
-    options.method = method;
-    options.exact_volumes = 1;
-    const Decomposition parts = decompose(mesh, options);
+    const Decomposition parts = decompose(mesh, "exact_volumes method=" + method);
     REQUIRE(convexact_decomposition_part_count(parts.get()) == 2);
     CHECK(convexact_decomposition_eps_holds(parts.get()) == 1);
     check_owners(mesh, parts);
@@ -234,7 +221,7 @@ TEST_CASE("C interface: an L becomes two parts that own its triangles") {
 }
 
 TEST_CASE("C interface: a face for each plane of a part, and planes in doubles around it") {
-  const Decomposition parts = decompose(l_shape(), defaults());
+  const Decomposition parts = decompose(l_shape(), kHacd);
   for (std::size_t k = 0; k < convexact_decomposition_part_count(parts.get()); ++k) {
     const double* vertices = convexact_decomposition_vertices(parts.get(), k);
     const std::size_t count = convexact_decomposition_vertex_count(parts.get(), k),
@@ -265,10 +252,7 @@ TEST_CASE("C interface: a face for each plane of a part, and planes in doubles a
 // cell. The diagonal (2, 1) - (1, 2) is a distance of sqrt(1/2) from the notch at (1, 1), but the
 // rays of the notch's walls run along x and y, where it is 1 away.
 TEST_CASE("C interface: a number of parts leads beyond the limit, and that is said") {
-  convexact_decompose_options options = defaults();
-  options.max_parts = 1;
-  options.exact_volumes = 1;
-  const Decomposition parts = decompose(l_shape(), options);
+  const Decomposition parts = decompose(l_shape(), kOnePart + " exact_volumes=true");
   REQUIRE(convexact_decomposition_part_count(parts.get()) == 1);
   CHECK(convexact_decomposition_eps_holds(parts.get()) == 0);
   CHECK(convexact_decomposition_within_limit(parts.get(), 0) == 0);
@@ -283,8 +267,7 @@ TEST_CASE("C interface: a number of parts leads beyond the limit, and that is sa
   CHECK(volume(parts, CONVEXACT_VOLUME_UNCOVERED) == std::array{0.0, 0.0});
   CHECK(volume(parts, CONVEXACT_VOLUME_OVERLAP) == std::array{0.0, 0.0});
   // Without fractions, from 128 bits.
-  options.exact_volumes = 0;
-  const Decomposition bounded = decompose(l_shape(), options);
+  const Decomposition bounded = decompose(l_shape(), kOnePart + " exact_volumes=false");
   const std::array<double, 2> bounds = volume(bounded, CONVEXACT_VOLUME_UNION);
   CHECK(bounds[0] <= 3.5);
   CHECK(bounds[1] >= 3.5);
@@ -294,10 +277,9 @@ TEST_CASE("C interface: a number of parts leads beyond the limit, and that is sa
 
 TEST_CASE("C interface: a limit is a share of the diameter or a length, taken as spelled") {
   // The concavity of the whole L is 1, and its diameter 3.
-  const auto parts_at = [](const char* concavity) {
-    convexact_decompose_options options = defaults();
-    options.concavity = concavity;
-    return convexact_decomposition_part_count(decompose(l_shape(), options).get());
+  const auto parts_at = [](const std::string& concavity) {
+    return convexact_decomposition_part_count(
+        decompose(l_shape(), "method=hacd concavity=" + concavity).get());
   };
   for (const char* enough : {"1", "34%", "0.34d", "33.34%", "1/3d"}) {
     CAPTURE(enough);
@@ -311,11 +293,7 @@ TEST_CASE("C interface: a limit is a share of the diameter or a length, taken as
 
 TEST_CASE("C interface: fewer planes, floats, and no volumes on request") {
   const Triangles mesh = l_shape();
-  convexact_decompose_options options = defaults();
-  options.max_parts = 1;
-  options.faces = 6;
-  options.no_volumes = 1;
-  const Decomposition simplified = decompose(mesh, options);
+  const Decomposition simplified = decompose(mesh, kOnePart + " faces=6 no_measures");
   CHECK(convexact_decomposition_form(simplified.get(), 0) == CONVEXACT_FORM_SIMPLIFIED);
   CHECK(convexact_decomposition_face_count(simplified.get(), 0) == 6);  // the square's prism
   CHECK(is_unknown(volume(simplified, CONVEXACT_VOLUME_UNION)));
@@ -323,10 +301,7 @@ TEST_CASE("C interface: fewer planes, floats, and no volumes on request") {
 
   Triangles thirds = mesh;
   for (double& x : thirds.points) x /= 3;
-  options = defaults();
-  options.precision = 32;
-  options.concavity = "1%";
-  const Decomposition narrow = decompose(thirds, options);
+  const Decomposition narrow = decompose(thirds, "method=hacd precision=32 concavity=1%");
   for (std::size_t k = 0; k < convexact_decomposition_part_count(narrow.get()); ++k) {
     CHECK(convexact_decomposition_form(narrow.get(), k) == CONVEXACT_FORM_ROUNDED);
     const double* vertices = convexact_decomposition_vertices(narrow.get(), k);
@@ -336,22 +311,20 @@ TEST_CASE("C interface: fewer planes, floats, and no volumes on request") {
   }
   Triangles huge = mesh;
   for (double& x : huge.points) x *= 1e39;
-  CHECK(refusal(huge, &options) == CONVEXACT_UNREPRESENTABLE);
+  CHECK(refusal(huge, "method=hacd precision=32") == CONVEXACT_UNREPRESENTABLE);
 }
 
 TEST_CASE("C interface: a flat mesh is refused, thickened, or kept flat") {
   const Triangles mesh = flat_shape();
-  convexact_decompose_options options = defaults();
-  CHECK(refusal(mesh, &options) == CONVEXACT_NO_INTERIOR);
+  for (const char* options : {"", "method=hacd", "flat=merge", "method=hacd flat=merge"}) {
+    CAPTURE(options);
+    CHECK(refusal(mesh, options) == CONVEXACT_NO_INTERIOR);
+  }
   CHECK(refusal(mesh, nullptr) == CONVEXACT_NO_INTERIOR);
-  options.flat = CONVEXACT_FLAT_MERGE;
-  CHECK(refusal(mesh, &options) == CONVEXACT_NO_INTERIOR);
-  options.flat = CONVEXACT_FLAT_THICKEN;
-  const Decomposition thick = decompose(mesh, options);
+  const Decomposition thick = decompose(mesh, "method=hacd flat=thicken");
   CHECK(convexact_decomposition_form(thick.get(), 0) == CONVEXACT_FORM_THICKENED);
   CHECK(judge(mesh, Parts(thick)).holds);
-  options.flat = CONVEXACT_FLAT_KEEP;
-  const Decomposition flat = decompose(mesh, options);
+  const Decomposition flat = decompose(mesh, "method=hacd flat=keep");
   REQUIRE(convexact_decomposition_part_count(flat.get()) == 1);
   CHECK(convexact_decomposition_form(flat.get(), 0) == CONVEXACT_FORM_FLAT);
   CHECK(convexact_decomposition_face_count(flat.get(), 0) == 1);
@@ -364,50 +337,30 @@ TEST_CASE("C interface: a flat mesh is refused, thickened, or kept flat") {
 
 TEST_CASE("C interface: options of a decomposition out of their range are refused") {
   const Triangles mesh = l_shape();
-  using Options = convexact_decompose_options;
-  const auto with = [&](const auto& change) {
-    Options options = defaults();
-    change(options);
-    return refusal(mesh, &options);
-  };
-  CHECK(with([](Options&) {}) == CONVEXACT_OK);
-  const std::vector<void (*)(Options&)> faults = {
-      [](Options& o) { o.size = 0; },
-      [](Options& o) { o.size = sizeof o - 1; },
-      [](Options& o) { o.size = SIZE_MAX; },
-      [](Options& o) { o.method = 4; },
-      [](Options& o) { o.method = -1; },
-      [](Options& o) { o.concavity = ""; },
-      [](Options& o) { o.concavity = "-1"; },
-      [](Options& o) { o.concavity = "101%"; },
-      [](Options& o) { o.concavity = "much"; },
-      [](Options& o) { o.measure = 2; },
-      [](Options& o) { o.method = CONVEXACT_ACD, o.measure = CONVEXACT_CONCAVITY_VERTICES; },
-      [](Options& o) { o.faces = 3; },
-      [](Options& o) { o.total_faces = 3; },
-      [](Options& o) { o.total_faces = 7; },  // of two parts
-      [](Options& o) { o.faces = o.total_faces = 8; },
-      [](Options& o) { o.flat = 4; },
-      [](Options& o) { o.precision = 16; },
-      [](Options& o) { o.no_volumes = o.exact_volumes = 1; }};
-  for (std::size_t k = 0; k < faults.size(); ++k) {
-    CAPTURE(k);
-    CHECK(with(faults[k]) == CONVEXACT_INVALID_ARGUMENT);
+  CHECK(refusal(mesh, "") == CONVEXACT_OK);
+  for (const char* options : {"method=vhacd",
+                              "method=-1",
+                              "method",
+                              "concavity=",
+                              "concavity=-1",
+                              "concavity=101%",
+                              "concavity=much",
+                              "measure=2",
+                              "method=acd measure=vertices",
+                              "faces=3",
+                              "total_faces=3",
+                              "total_faces=7",  // of two parts
+                              "faces=8 total_faces=8",
+                              "flat=4",
+                              "precision=16",
+                              "no_measures exact_volumes",
+                              "size=0",
+                              "max_parts=0",
+                              "max_part_vertices=3",
+                              "disjoint=yes"}) {
+    CAPTURE(options);
+    CHECK(refusal(mesh, options) == CONVEXACT_INVALID_ARGUMENT);
   }
-}
-
-// A later version may have further fields, of which 0 is the default.
-TEST_CASE("C interface: options of a later version pass if what is unknown is 0") {
-  struct Later {
-    convexact_decompose_options known;
-    std::uint64_t unknown;
-  };
-  const Triangles mesh = l_shape();
-  Later later{};
-  later.known.size = sizeof later;
-  CHECK(refusal(mesh, &later.known) == CONVEXACT_OK);
-  later.unknown = 1;
-  CHECK(refusal(mesh, &later.known) == CONVEXACT_INVALID_ARGUMENT);
 }
 
 TEST_CASE("C interface: meshes that make no sense are a status") {
@@ -446,13 +399,43 @@ TEST_CASE("C interface: every triangle that is given has an owner, also one with
   const std::vector<std::uint32_t> degenerate = {0, 0, 2, again, 0, again, 0, 2, 4};
   mesh.corners.insert(mesh.corners.begin(), degenerate.begin(), degenerate.end());
   mesh.corners.insert(mesh.corners.end(), mesh.corners.end() - 3, mesh.corners.end());
-  const Decomposition parts = decompose(mesh, defaults());
+  const Decomposition parts = decompose(mesh, kHacd);
   check_owners(mesh, parts);
+}
+
+// The top of a cube with a square hole, which a cap closes, so that it can be cut.
+TEST_CASE("C interface: a cap over a hole has no number among the triangles that are given") {
+  Triangles mesh;
+  for (const double z : {0.0, 4.0}) {
+    for (const double y : {0.0, 4.0}) {
+      for (const double x : {0.0, 4.0}) mesh.points.insert(mesh.points.end(), {x, y, z});
+    }
+  }
+  mesh.points.insert(mesh.points.end(),
+                     {1.75, 1.75, 4, 2.25, 1.75, 4, 2.25, 2.25, 4, 1.75, 2.25, 4});
+  for (const std::array<std::uint32_t, 4>& q :
+       std::vector<std::array<std::uint32_t, 4>>{{0, 2, 3, 1},
+                                                 {0, 1, 5, 4},
+                                                 {2, 6, 7, 3},
+                                                 {0, 4, 6, 2},
+                                                 {1, 3, 7, 5},
+                                                 {4, 5, 9, 8},
+                                                 {5, 7, 10, 9},
+                                                 {7, 6, 11, 10},
+                                                 {6, 4, 8, 11}}) {
+    mesh.corners.insert(mesh.corners.end(), {q[0], q[1], q[2], q[0], q[2], q[3]});
+  }
+  for (const char* options : {"", "method=cut", "method=hacd guard=reach"}) {
+    CAPTURE(options);
+    const Decomposition parts = decompose(mesh, options);
+    CHECK(convexact_decomposition_part_count(parts.get()) == 1);
+    check_owners(mesh, parts);
+  }
 }
 
 TEST_CASE("C interface: the parts of an L are judged") {
   const Triangles mesh = l_shape();
-  const Decomposition made = decompose(mesh, defaults());
+  const Decomposition made = decompose(mesh, kHacd);
   const Parts parts(made);
   const Judged good = judge(mesh, parts);
   CHECK(good.holds);
@@ -473,38 +456,24 @@ TEST_CASE("C interface: the parts of an L are judged") {
   CHECK(bad.claims.at("covers-points") == "violated");
   CHECK(bad.claims.at("covers-surface") == "violated");
   CHECK(bad.sentences.at("covers-points").find("8 of 16") != std::string::npos);
-  convexact_parts_options options = questions();
-  options.tolerance = "0.25";
-  CHECK(judge(mesh, raised, &options).holds);
-  options.tolerance = "0.24999";
-  CHECK_FALSE(judge(mesh, raised, &options).holds);
+  CHECK(judge(mesh, raised, "tolerance=0.25").holds);
+  CHECK_FALSE(judge(mesh, raised, "tolerance=0.24999").holds);
 }
 
 TEST_CASE("C interface: how far parts reach") {
   // The hull of the L passes the corner that lacks at 1/2 from both arms.
   const Triangles mesh = l_shape();
-  convexact_decompose_options options = defaults();
-  options.max_parts = 1;
-  CHECK(convexact_decomposition_reach_holds(decompose(mesh, options).get()) == 0);
-  options.guard_reach = 1;
-  options.distance = "0.2";
-  const Decomposition hull = decompose(mesh, options);
+  CHECK(convexact_decomposition_reach_holds(decompose(mesh, kOnePart).get()) == 0);
+  const Decomposition hull = decompose(mesh, kOnePart + " guard=reach distance=0.2");
   CHECK(convexact_decomposition_reach_holds(hull.get()) == 0);
-  options.max_parts = 0;
-  options.merge_reach = 1;
-  const Decomposition two = decompose(mesh, options);
+  const Decomposition two = decompose(mesh, "method=hacd guard=reach merge=reach distance=0.2");
   CHECK(convexact_decomposition_part_count(two.get()) == 2);
   CHECK(convexact_decomposition_reach_holds(two.get()) == 1);
-  options.distance = "0";
-  convexact_decomposition* none = nullptr;
-  CHECK(convexact_decompose(mesh.points.data(), mesh.points.size() / 3, mesh.corners.data(),
-                            mesh.corners.size() / 3, &options,
-                            &none) == CONVEXACT_INVALID_ARGUMENT);
+  CHECK(refusal(mesh, "method=hacd guard=reach distance=0") == CONVEXACT_INVALID_ARGUMENT);
+  CHECK(convexact_decomposition_reach_holds(decompose(mesh, "distance=0.2").get()) == 1);  // cut
 
-  convexact_parts_options asked = questions();
-  asked.distance = "0.2";
-  CHECK(judge(mesh, Parts(two), &asked).claims.at("within-solid") == "holds");
-  const Judged beyond = judge(mesh, Parts(hull), &asked);
+  CHECK(judge(mesh, Parts(two), "distance=0.2").claims.at("within-solid") == "holds");
+  const Judged beyond = judge(mesh, Parts(hull), "distance=0.2");
   CHECK(beyond.claims.at("within-solid") == "violated");
   CHECK(beyond.claims.at("covers-solid") == "holds");
   CHECK_FALSE(beyond.holds);
@@ -512,50 +481,34 @@ TEST_CASE("C interface: how far parts reach") {
 
 TEST_CASE("C interface: claims and budgets of parts are asked by name and number") {
   const Triangles mesh = l_shape();
-  convexact_decompose_options one = defaults();
-  one.max_parts = 1;
-  const Parts hull(decompose(mesh, one));  // ten vertices, seven faces of at most five
-  convexact_parts_options options = questions();
-  options.claims = "covers-solid,parts-disjoint";
-  const Judged named = judge(mesh, hull, &options);
+  const Parts hull(decompose(mesh, kOnePart));  // ten vertices, seven faces of at most five
+  const Judged named = judge(mesh, hull, "claims=covers-solid,parts-disjoint");
   CHECK(named.holds);
   CHECK(named.claims.at("covers-solid") == "holds");
   CHECK(named.claims.at("parts-disjoint") == "holds");
   CHECK(named.claims.at("covers-surface") == "not-asked");
-  const auto claim_with = [&](const char* claim, std::size_t convexact_parts_options::*limit,
-                              std::size_t value) {
-    options = questions();
-    options.*limit = value;
-    return judge(mesh, hull, &options).claims.at(claim);
+  const auto claim_with = [&](const char* claim, const char* budget) {
+    return judge(mesh, hull, budget).claims.at(claim);
   };
-  using Options = convexact_parts_options;
-  CHECK(claim_with("max-parts", &Options::max_parts, 1) == "holds");
-  CHECK(claim_with("max-part-facets", &Options::max_facets, 7) == "holds");
-  CHECK(claim_with("max-part-facets", &Options::max_facets, 6) == "violated");
-  CHECK(claim_with("max-part-vertices", &Options::max_vertices, 10) == "holds");
-  CHECK(claim_with("max-part-vertices", &Options::max_vertices, 9) == "violated");
-  CHECK(claim_with("max-part-facet-vertices", &Options::max_facet_vertices, 5) == "holds");
-  CHECK(claim_with("max-part-facet-vertices", &Options::max_facet_vertices, 4) == "violated");
-  for (const char* claims : {"", "covers-everything", "contains-input", "covers-surface,,"}) {
-    CAPTURE(claims);
-    options = questions();
-    options.claims = claims;
-    CHECK(judge(mesh, hull, &options).status == CONVEXACT_INVALID_ARGUMENT);
+  CHECK(claim_with("max-parts", "max_parts=1") == "holds");
+  CHECK(claim_with("max-part-facets", "max_facets=7") == "holds");
+  CHECK(claim_with("max-part-facets", "max_facets=6") == "violated");
+  CHECK(claim_with("max-part-vertices", "max_vertices=10") == "holds");
+  CHECK(claim_with("max-part-vertices", "max_vertices=9") == "violated");
+  CHECK(claim_with("max-part-facet-vertices", "max_facet_vertices=5") == "holds");
+  CHECK(claim_with("max-part-facet-vertices", "max_facet_vertices=4") == "violated");
+  for (const char* options :
+       {"claims=", "claims=covers-everything", "claims=contains-input", "claims=covers-surface,,",
+        "claims=max-parts",  // without a number
+        "tolerance=much", "size=0", "asks=enclosure", "exact_facets", "exact_volumes"}) {
+    CAPTURE(options);
+    CHECK(judge(mesh, hull, options).status == CONVEXACT_INVALID_ARGUMENT);
   }
-  options = questions();
-  options.claims = "max-parts";  // without a number
-  CHECK(judge(mesh, hull, &options).status == CONVEXACT_INVALID_ARGUMENT);
-  options = questions();
-  options.tolerance = "much";
-  CHECK(judge(mesh, hull, &options).status == CONVEXACT_INVALID_ARGUMENT);
-  options = questions();
-  options.size = 0;
-  CHECK(judge(mesh, hull, &options).status == CONVEXACT_INVALID_ARGUMENT);
 }
 
 TEST_CASE("C interface: faces of parts are judged, and parts without faces are their hulls") {
   const Triangles mesh = l_shape();
-  Parts parts(decompose(mesh, defaults()));
+  Parts parts(decompose(mesh, kHacd));
   // With hulls alone, and with or without the triangles of the mesh.
   const auto judge_hulls = [&](std::size_t triangles) {
     convexact_verdict* result = nullptr;
@@ -578,7 +531,7 @@ TEST_CASE("C interface: faces of parts are judged, and parts without faces are t
 
 TEST_CASE("C interface: arrays of parts that make no sense are a status") {
   const Triangles mesh = l_shape();
-  const Parts good(decompose(mesh, defaults()));
+  const Parts good(decompose(mesh, kHacd));
   Parts parts = good;
   parts.corners.back() = 1000;
   CHECK(judge(mesh, parts).status == CONVEXACT_INVALID_ARGUMENT);
@@ -620,7 +573,7 @@ namespace {
 
 using Tree = std::unique_ptr<convexact_tree, decltype(&convexact_tree_free)>;
 
-Tree tree_over(const Decomposition& parts, const convexact_tree_options* options = nullptr) {
+Tree tree_over(const Decomposition& parts, const char* options = nullptr) {
   convexact_tree* tree = nullptr;
   REQUIRE(convexact_decomposition_tree(parts.get(), options, &tree) == CONVEXACT_OK);
   return {tree, convexact_tree_free};
@@ -641,8 +594,7 @@ struct Nodes {
   }
 };
 
-Judged judge_nodes(const Triangles& mesh, const Nodes& nodes,
-                   const convexact_parts_options* options = nullptr) {
+Judged judge_nodes(const Triangles& mesh, const Nodes& nodes, const char* options = nullptr) {
   convexact_verdict* result = nullptr;
   const auto status =
       convexact_verify_tree(mesh.points.data(), mesh.point_count(), mesh.corners.data(),
@@ -651,54 +603,45 @@ Judged judge_nodes(const Triangles& mesh, const Nodes& nodes,
   return taken(status, result);
 }
 
-convexact_tree_options tree_defaults() {
-  convexact_tree_options options{};
-  options.size = sizeof options;
-  return options;
-}
-
 }  // namespace
 
 // The root over two parts is the hull of the L, a pentagonal prism.
 TEST_CASE("C interface: a tree over the parts of an L, whose hulls hold their children") {
   const Triangles mesh = l_shape();
-  for (const int method : {CONVEXACT_HACD, CONVEXACT_ACD}) {
-    for (const int for_tree : {0, 1}) {
+  for (const std::string method : {"hacd", "acd"}) {
+    for (const std::string tree : {"false", "true"}) {
       CAPTURE(method);
-      CAPTURE(for_tree);
-      convexact_decompose_options options = defaults();
-      options.method = method;
-      options.for_tree = for_tree;
-      const Decomposition parts = decompose(mesh, options);
-      const Tree tree = tree_over(parts);
-      REQUIRE(convexact_tree_node_count(tree.get()) == 3);
-      CHECK(convexact_tree_parent(tree.get(), 0) == CONVEXACT_NONE);
-      CHECK(convexact_tree_part(tree.get(), 0) == CONVEXACT_NONE);
-      CHECK(convexact_tree_vertex_count(tree.get(), 0) == 10);
-      CHECK(convexact_tree_face_count(tree.get(), 0) == 7);
-      REQUIRE(convexact_tree_child_count(tree.get(), 0) == 2);
+      CAPTURE(tree);
+      const Decomposition parts = decompose(mesh, "method=" + method + " tree=" + tree);
+      const Tree made = tree_over(parts);
+      REQUIRE(convexact_tree_node_count(made.get()) == 3);
+      CHECK(convexact_tree_parent(made.get(), 0) == CONVEXACT_NONE);
+      CHECK(convexact_tree_part(made.get(), 0) == CONVEXACT_NONE);
+      CHECK(convexact_tree_vertex_count(made.get(), 0) == 10);
+      CHECK(convexact_tree_face_count(made.get(), 0) == 7);
+      REQUIRE(convexact_tree_child_count(made.get(), 0) == 2);
       std::size_t seen = 0;
       for (std::size_t c = 0; c < 2; ++c) {
-        const std::size_t child = convexact_tree_children(tree.get(), 0)[c];
+        const std::size_t child = convexact_tree_children(made.get(), 0)[c];
         REQUIRE((child == 1 || child == 2));
-        CHECK(convexact_tree_parent(tree.get(), child) == 0);
-        CHECK(convexact_tree_child_count(tree.get(), child) == 0);
-        const std::size_t part = convexact_tree_part(tree.get(), child);
+        CHECK(convexact_tree_parent(made.get(), child) == 0);
+        CHECK(convexact_tree_child_count(made.get(), child) == 0);
+        const std::size_t part = convexact_tree_part(made.get(), child);
         REQUIRE(part < 2);
         seen |= std::size_t(1) << part;
-        CHECK(convexact_tree_vertex_count(tree.get(), child) ==
+        CHECK(convexact_tree_vertex_count(made.get(), child) ==
               convexact_decomposition_vertex_count(parts.get(), part));
       }
       CHECK(seen == 3);  // each part once
       std::size_t corners = 0;
       for (std::size_t f = 0; f < 7; ++f) {
-        corners += convexact_tree_face_sizes(tree.get(), 0)[f];
+        corners += convexact_tree_face_sizes(made.get(), 0)[f];
       }
       CHECK(corners == 30);  // two pentagons and five squares
       for (std::size_t c = 0; c < corners; ++c) {
-        CHECK(convexact_tree_corners(tree.get(), 0)[c] < 10);
+        CHECK(convexact_tree_corners(made.get(), 0)[c] < 10);
       }
-      const Judged judged = judge_nodes(mesh, Nodes(tree));
+      const Judged judged = judge_nodes(mesh, Nodes(made));
       CHECK(judged.holds);
       CHECK(judged.claims.at("tree-nested") == "holds");
       CHECK(judged.claims.at("covers-surface") == "holds");
@@ -708,28 +651,21 @@ TEST_CASE("C interface: a tree over the parts of an L, whose hulls hold their ch
 
 TEST_CASE("C interface: branches with fewer planes, floats, and a tree of one part") {
   const Triangles mesh = l_shape();
-  convexact_tree_options options = tree_defaults();
-  options.faces = 6;
-  options.precision = 32;
-  const Tree tree = tree_over(decompose(mesh, defaults()), &options);
+  const Tree tree = tree_over(decompose(mesh, kHacd), "faces=6 precision=32");
   CHECK(convexact_tree_face_count(tree.get(), 0) == 6);  // the square's prism
   CHECK(judge_nodes(mesh, Nodes(tree)).holds);
-  convexact_decompose_options one = defaults();
-  one.max_parts = 1;
-  const Tree single = tree_over(decompose(mesh, one));
+  const Tree single = tree_over(decompose(mesh, kOnePart));
   REQUIRE(convexact_tree_node_count(single.get()) == 1);
   CHECK(convexact_tree_parent(single.get(), 0) == CONVEXACT_NONE);
   CHECK(convexact_tree_part(single.get(), 0) == 0);
   CHECK(judge_nodes(mesh, Nodes(single)).holds);
-  options = tree_defaults();
-  options.leaf_faces = 6;
-  const Tree simple = tree_over(decompose(mesh, one), &options);
+  const Tree simple = tree_over(decompose(mesh, kOnePart), "leaf_faces=6");
   CHECK(convexact_tree_face_count(simple.get(), 0) == 6);
 }
 
 TEST_CASE("C interface: a tree of which something is wrong is a violated claim") {
   const Triangles mesh = l_shape();
-  const Nodes good(tree_over(decompose(mesh, defaults())));
+  const Nodes good(tree_over(decompose(mesh, kHacd)));
   Nodes nodes = good;
   for (std::size_t i = 0; i < 3 * nodes.vertex_counts[0]; ++i) nodes.vertices[i] *= 0.5;
   const Judged shrunk = judge_nodes(mesh, nodes);
@@ -745,29 +681,21 @@ TEST_CASE("C interface: a tree of which something is wrong is a violated claim")
   nodes.parents[0] = 1;  // a cycle, and no root
   CHECK(judge_nodes(mesh, nodes).claims.at("tree-nested") == "violated");
   // Parts alone are under no tree.
-  convexact_parts_options options = questions();
-  options.claims = "tree-nested";
-  CHECK(judge_nodes(mesh, good, &options).holds);
-  const Judged none = judge(mesh, Parts(decompose(mesh, defaults())), &options);
+  CHECK(judge_nodes(mesh, good, "claims=tree-nested").holds);
+  const Judged none = judge(mesh, Parts(decompose(mesh, kHacd)), "claims=tree-nested");
   CHECK_FALSE(none.holds);
   CHECK(none.claims.at("tree-nested") == "not-applicable");
 }
 
 TEST_CASE("C interface: trees that make no sense are a status") {
   const Triangles mesh = l_shape();
-  const Decomposition parts = decompose(mesh, defaults());
+  const Decomposition parts = decompose(mesh, kHacd);
   convexact_tree* tree = nullptr;
   CHECK(convexact_decomposition_tree(nullptr, nullptr, &tree) == CONVEXACT_INVALID_ARGUMENT);
   CHECK(convexact_decomposition_tree(parts.get(), nullptr, nullptr) == CONVEXACT_INVALID_ARGUMENT);
-  using Options = convexact_tree_options;
-  const std::vector<void (*)(Options&)> faults = {
-      [](Options& o) { o.size = 0; }, [](Options& o) { o.faces = 3; },
-      [](Options& o) { o.leaf_faces = 3; }, [](Options& o) { o.precision = 16; }};
-  for (std::size_t k = 0; k < faults.size(); ++k) {
-    CAPTURE(k);
-    Options options = tree_defaults();
-    faults[k](options);
-    CHECK(convexact_decomposition_tree(parts.get(), &options, &tree) == CONVEXACT_INVALID_ARGUMENT);
+  for (const char* options : {"size=0", "faces=3", "leaf_faces=3", "precision=16"}) {
+    CAPTURE(options);
+    CHECK(convexact_decomposition_tree(parts.get(), options, &tree) == CONVEXACT_INVALID_ARGUMENT);
     CHECK(tree == nullptr);
   }
   convexact_tree_free(nullptr);
@@ -793,7 +721,7 @@ TEST_CASE("C interface: trees that make no sense are a status") {
 
 TEST_CASE("C interface: threads decompose at once, and read one result together") {
   const Triangles mesh = l_shape();
-  const Decomposition shared = decompose(mesh, defaults());
+  const Decomposition shared = decompose(mesh, kHacd);
   std::vector<std::size_t> counts(4);
   std::vector<std::thread> threads;
   for (std::size_t& count : counts) {

@@ -17,7 +17,7 @@ static const size_t point_count = sizeof points / sizeof points[0];
 
 static void require(convexact_status status) {
   if (status == CONVEXACT_OK) return;
-  fprintf(stderr, "convexact: %s\n", convexact_status_text(status));
+  fprintf(stderr, "convexact: %s\n", convexact_message());
   exit(EXIT_FAILURE);
 }
 
@@ -38,7 +38,7 @@ static int report(const convexact_containment* verdict) {
 /* Six halfspaces around the points. */
 static int enclose(void) {
   convexact_solid* solid;
-  require(convexact_simplify_by(&points[0][0], point_count, 6, CONVEXACT_COST_AREA, 0, &solid));
+  require(convexact_simplify(&points[0][0], point_count, "faces=6 cost=area", &solid));
   const size_t plane_count = convexact_solid_plane_count(solid);
   double* planes = malloc(4 * plane_count * sizeof *planes);
   if (planes == NULL) exit(EXIT_FAILURE);
@@ -76,15 +76,11 @@ static int verify_box(void) {
 static int judge_box(void) {
   const double box[][3] = {{0, 0, 0},    {4, 0, 0},    {0, 4, 0},    {4, 4, 0},
                            {0, 0, 3.75}, {4, 0, 3.75}, {0, 4, 3.75}, {4, 4, 3.75}};
-  const uint32_t sides[] = {0, 4, 6, 2, 1, 3, 7, 5, 0, 1, 5, 4,
-                            2, 6, 7, 3, 0, 2, 3, 1, 4, 5, 7, 6};
+  const uint32_t sides[] = {0, 4, 6, 2, 1, 3, 7, 5, 0, 1, 5, 4, 2, 6, 7, 3, 0, 2, 3, 1, 4, 5, 7, 6};
   const size_t sizes[] = {4, 4, 4, 4, 4, 4};
   convexact_verdict* verdict;
-  convexact_judge_options options = {0};
-  options.size = sizeof options;
-  options.tolerance = "0.25";
-  require(convexact_judge_mesh(&points[0][0], point_count, &box[0][0], 8, sides, sizes, 6, &options,
-                               &verdict));
+  require(convexact_judge_mesh(&points[0][0], point_count, NULL, 0, &box[0][0], 8, sides, sizes, 6,
+                               "tolerance=0.25", &verdict));
   printf("the same box as a mesh, with a tolerance of 0.25:\n");
   for (size_t i = 0; i < convexact_verdict_claim_count(verdict); ++i) {
     printf("  %-20s %-15s %s\n", convexact_verdict_claim_name(verdict, i),

@@ -72,7 +72,7 @@ json properties_of_request(const std::string& name) {
 }  // namespace
 
 TEST_CASE("fields: decompose_request.schema.json says the same") {
-  check_properties(decompose_fields(), properties_of_request("decompose_request"),
+  check_properties(decompose_call_fields(), properties_of_request("decompose_request"),
                    default_decompose_request());
 }
 
@@ -130,6 +130,49 @@ TEST_CASE("fields: what is read is written again") {
         "max_part_vertices= total_faces= flat=auto keep_inner= connect=edge orient=auto loose=part "
         "engine=filtered "
         "precision=32 ");
+}
+
+TEST_CASE("fields: a text of options names values, and flags with or without one") {
+  DecomposeRequest request;
+  const BoundFields fields = bound_fields(decompose_call_fields(), request);
+  read_options(nullptr, fields);
+  read_options(" \t\r\n", fields);
+  CHECK_FALSE(request.max_parts.has_value());
+  read_options("\tmethod=cut  max_parts=8\ndisjoint keep_inner=true tree=false concavity=1/8 ",
+               fields);
+  CHECK(request.method == DecomposeMethod::Cut);
+  CHECK(request.max_parts == 8);
+  CHECK(request.disjoint);
+  CHECK(request.keep_inner);
+  CHECK_FALSE(request.for_tree);
+  CHECK(request.limit.value == Rational(1, 8));
+  read_options("disjoint=false no_measures seed=18446744073709551615", fields);
+  CHECK_FALSE(request.disjoint);
+  CHECK(request.measures == PartMeasures::None);
+  CHECK(request.seed == 18446744073709551615u);
+}
+
+TEST_CASE("fields: a text of options that makes no sense is refused, and the option is named") {
+  TreeRequest request;
+  const auto message = [&](const char* text) -> std::string {
+    const Error error = error_of([&] { read_options(text, bound_fields(tree_fields(), request)); });
+    CHECK(error.code() == ErrorCode::InvalidArgument);
+    return error.what();
+  };
+  const std::string known = ": expected options out of faces, leaf_faces, precision";
+  CHECK(message("leaf-faces=4") == "there is no option 'leaf-faces'" + known);
+  CHECK(message("faces=4 , leaf_faces=4") == "there is no option ','" + known);
+  CHECK(message("faces = 4") == "faces: expected a whole number from 4 to 4294967296, found ''");
+  CHECK(message("=") == "there is no option ''" + known);
+  CHECK(message("faces=4 faces=4") == "faces: given twice");
+  CHECK(message("faces=4=4") == "faces: expected a whole number from 4 to 4294967296, found '4=4'");
+  CHECK(message("precision=64.0") == "precision: expected one of 32, 64, found '64.0'");
+  VerifyRequest asked;
+  const BoundFields fields = bound_fields(verify_call_fields(), asked);
+  CHECK(std::string(error_of([&] { read_options("tolerance=-1", fields); }).what()) ==
+        "tolerance: a tolerance cannot be negative");
+  CHECK(std::string(error_of([&] { read_options("exact_facets=1", fields); }).what()) ==
+        "exact_facets: expected one of false, true, found '1'");
 }
 
 TEST_CASE("fields: given options override a profile, and only those") {
