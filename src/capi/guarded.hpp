@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // guarded.hpp - the boundary that no exception crosses.
 #pragma once
+#include <memory>
 #include <new>
 
 #include "convexact.h"
@@ -56,7 +57,7 @@ convexact_status guarded(Result** result, const Make& make) noexcept {
   if (result != nullptr) *result = nullptr;
   return status_of_call([&] {
     if (result == nullptr) reject_argument("the place for the result is missing");
-    *result = new Result(make());
+    *result = std::make_unique<Result>(make()).release();
   });
 }
 

@@ -110,7 +110,8 @@ std::string tried_names(Call call, const Fields<Request>& fields, const Texts& t
 
 TEST_CASE("C interface: every option of the tables is one of the function") {
   CHECK(known_to(decompose_with) == tried_names(decompose_with, decompose_call_fields(),
-                                                {{"max_parts", "max_parts=8"},
+                                                {{"jobs", "jobs=2"},
+                                                 {"max_parts", "max_parts=8"},
                                                  {"max_excess", "max_excess=20%"},
                                                  {"faces", "faces=6"},
                                                  {"max_part_vertices", "max_part_vertices=8"},

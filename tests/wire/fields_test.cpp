@@ -128,7 +128,7 @@ TEST_CASE("fields: what is read is written again") {
         "measure=surface "
         "bridge=farther coplanar=0.99 faces= "
         "max_part_vertices= total_faces= flat=auto keep_inner= connect=edge orient=auto loose=part "
-        "engine=filtered "
+        "engine=filtered jobs= "
         "precision=32 ");
 }
 
