@@ -132,6 +132,17 @@ TEST_CASE("fields: what is read is written again") {
         "precision=32 ");
 }
 
+TEST_CASE("narrowed: the largest number stands for all beyond it") {
+  constexpr std::uint64_t kFar = std::uint64_t{1} << 32;
+  CHECK(narrowed<std::uint32_t>(kFar - 1) == kFar - 1);
+  CHECK(narrowed<std::uint32_t>(kFar) == kFar - 1);
+  CHECK(narrowed<std::int32_t>(kFar) == std::numeric_limits<std::int32_t>::max());
+  CHECK(narrowed<std::uint64_t>(kFar) == kFar);
+  std::optional<std::uint32_t> count;
+  assign_count(count, 2 * kFar + 7);
+  CHECK(count == kFar - 1);
+}
+
 TEST_CASE("fields: given options override a profile, and only those") {
   GivenFields given;
   for (const BoundField& field : given.bound(promise_fields())) {
