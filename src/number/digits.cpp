@@ -137,7 +137,7 @@ std::string with_separators(std::uint64_t count) {
   return digits;
 }
 
-std::string counted(std::size_t count, const char* one, const char* many) {
+std::string counted(std::uint64_t count, const char* one, const char* many) {
   return with_separators(count) + " " + (count == 1 ? one : many);
 }
 

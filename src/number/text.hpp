@@ -44,7 +44,7 @@ template <class Float>
 [[nodiscard]] std::string with_separators(std::uint64_t count);
 
 /// "1 point", "1,800 points".
-[[nodiscard]] std::string counted(std::size_t count, const char* one, const char* many);
+[[nodiscard]] std::string counted(std::uint64_t count, const char* one, const char* many);
 
 /// A line of a summary: the text after its label, in a separate column.
 [[nodiscard]] std::string summary_line(const char* label, const std::string& text);
