@@ -104,8 +104,8 @@ class Binary {
       expect(std::isfinite(value), "a finite number");
       return value;
     }
-    const Rational value = static_cast<unsigned long>(bits),
-                   range = power_of_two(8 * long(type.size));
+    const Rational value = static_cast<std::uint32_t>(bits),  // there are no longer integers
+        range = power_of_two(8 * long(type.size));
     const bool is_negative = type.kind == BinaryType::Signed && 2 * value >= range;
     return is_negative ? Rational(value - range) : value;
   }
@@ -346,7 +346,7 @@ class MeshReader {
   }
 
   static std::size_t index_of(const Rational& number) {
-    expect(number >= 0 && number < 4294967296 && number.get_den() == 1, "the index of a point");
+    expect(number.get_den() == 1 && number.get_num().fits_uint_p(), "the index of a point");
     return number.get_num().get_ui();
   }
 

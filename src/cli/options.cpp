@@ -14,11 +14,6 @@ namespace {
 
 constexpr double kLongest = 1e6;  // seconds
 
-bool is_digits(std::string_view text) {
-  return !text.empty() &&
-         std::all_of(text.begin(), text.end(), [](char c) { return c >= '0' && c <= '9'; });
-}
-
 [[noreturn]] void expected(const std::string& option, const std::string& what,
                            const std::string& found) {
   throw Error(ErrorCode::InvalidArgument,

@@ -83,19 +83,18 @@ Option add_count(Command& command, const std::string& names, const CountRange& r
                  const std::string& meaning, std::optional<std::uint64_t> usual,
                  const std::function<void(std::uint64_t)>& take);
 
-/// `Number` holds every number of the range.
 template <class Number>
 Option add_count(Command& command, const std::string& names, Number& value, const CountRange& range,
                  const std::string& meaning) {
   return add_count(command, names, range, meaning, static_cast<std::uint64_t>(value),
-                   [&value](std::uint64_t count) { value = static_cast<Number>(count); });
+                   [&value](std::uint64_t count) { assign_count(value, count); });
 }
 
 inline Option add_count(Command& command, const std::string& names,
                         std::optional<std::size_t>& value, const CountRange& range,
                         const std::string& meaning) {
   return add_count(command, names, range, meaning, std::nullopt,
-                   [&value](std::uint64_t count) { value = count; });
+                   [&value](std::uint64_t count) { assign_count(value, count); });
 }
 
 /// The number of halfspaces to keep: 4 to 2^32.

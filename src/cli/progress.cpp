@@ -5,6 +5,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <system_error>
 
 #include "cli/command.hpp"
 
@@ -22,7 +23,12 @@ void write_to_terminal(const std::string& text) {
 }  // namespace
 
 Progress::Progress() : is_shown_(isatty(STDERR_FILENO) != 0) {
-  if (is_shown_) painter_ = std::thread([this] { paint(); });
+  if (!is_shown_) return;
+  try {
+    painter_ = std::thread([this] { paint(); });
+  } catch (const std::system_error&) {
+    is_shown_ = false;  // a system without threads, or one that gives no more of them
+  }
 }
 
 void Progress::clear() {

@@ -4,11 +4,13 @@
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <poll.h>
-#include <sys/mman.h>
-#include <sys/prctl.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
+#ifdef __linux__
+#include <sys/mman.h>
+#include <sys/prctl.h>
+#endif
 
 #include <algorithm>
 #include <array>
@@ -26,13 +28,33 @@
 namespace convexact {
 namespace {
 
-int require_descriptor(int id) {
-  if (id < 0) throw Error(ErrorCode::Stopped, "the system cannot make a file in memory");
+// Of a file without a name, which ends with its last descriptor. A program that the process becomes
+// does not inherit it.
+int open_unnamed_file() {
+#ifdef __linux__
+  const int id = memfd_create("result", MFD_CLOEXEC);
+#else
+  std::string path = (std::filesystem::temp_directory_path() / "convexact-XXXXXX").string();
+  const int id = mkstemp(path.data());
+  if (id >= 0) {
+    (void)unlink(path.c_str());
+    (void)fcntl(id, F_SETFD, FD_CLOEXEC);
+  }
+#endif
+  if (id < 0) throw Error(ErrorCode::Stopped, "the system cannot make a file for a result");
   return id;
 }
 
-void set_limit(decltype(RLIMIT_AS) resource, rlim_t value) {
-  const rlimit limit{value, value};
+// The calling process is killed when its parent ends, however that comes, where the system can.
+void end_with_parent() {
+#ifdef __linux__
+  (void)prctl(PR_SET_PDEATHSIG, SIGKILL);
+#endif
+}
+
+void set_limit(decltype(RLIMIT_AS) resource, std::uint64_t value) {
+  const auto held = static_cast<rlim_t>(std::min<std::uint64_t>(value, RLIM_INFINITY));
+  const rlimit limit{held, held};
   (void)setrlimit(resource, &limit);
 }
 
@@ -133,7 +155,7 @@ void Descriptor::reset(int id) {
 
 // Neither the pipe nor the file of the result stays open in a program that the child becomes.
 ChildProcess::ChildProcess(const std::function<std::string()>& work, const ProgramLimits& limits)
-    : limits_(limits), result_(require_descriptor(memfd_create("result", MFD_CLOEXEC))) {
+    : limits_(limits), result_(open_unnamed_file()) {
   std::array<int, 2> ends{};
   if (pipe2(ends.data(), O_CLOEXEC) != 0)
     throw Error(ErrorCode::Stopped, "the system cannot make a pipe");
@@ -149,7 +171,7 @@ ChildProcess::ChildProcess(const std::function<std::string()>& work, const Progr
 // threads.
 void ChildProcess::become_child(const std::function<std::string()>& work, int output) const {
   setpgid(0, 0);  // an interrupt from the terminal goes to the parent, which then kills this group
-  (void)prctl(PR_SET_PDEATHSIG, SIGKILL);
+  end_with_parent();
   for (const int signal : {SIGINT, SIGTERM, SIGPIPE}) std::signal(signal, SIG_DFL);
   set_limit(RLIMIT_CORE, 0);
   if (limits_.memory != 0) set_limit(RLIMIT_AS, limits_.memory);

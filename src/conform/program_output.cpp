@@ -6,6 +6,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstring>
 #include <variant>
@@ -28,11 +29,11 @@ std::variant<std::string, Error> regular_bytes(int file, std::uint64_t most) {
     return unreadable("is no regular file");
   }
   const auto size = static_cast<std::uint64_t>(status.st_size);
-  if (size > most) {
+  if (size > std::min<std::uint64_t>(most, std::string().max_size())) {
     return unreadable(fmt::format("has {} bytes, more than the {} that are read",
                                   with_separators(size), with_separators(most)));
   }
-  std::string bytes(size, '\0');
+  std::string bytes(static_cast<std::size_t>(size), '\0');
   std::size_t filled = 0;
   while (filled < bytes.size()) {
     const ssize_t count = ::read(file, bytes.data() + filled, bytes.size() - filled);

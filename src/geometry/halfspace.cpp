@@ -36,6 +36,14 @@ IntegerVector3 scaled_to_integer(const Point& p, int exponent) {
 
 constexpr int kAboveAll = 4096;  // above every exponent of a double
 
+IntegerVector3 normal_through(const Point& a, const Point& b, const Point& c, int exponent) {
+  const IntegerVector3 first = scaled_to_integer(a, exponent);
+  const IntegerVector3 u = scaled_to_integer(b, exponent) - first;
+  const IntegerVector3 v = scaled_to_integer(c, exponent) - first;
+  return u.cross(v);
+}
+
+#ifdef __SIZEOF_INT128__
 __extension__ using Wide = __int128;
 __extension__ using UnsignedWide = unsigned __int128;
 
@@ -61,13 +69,11 @@ IntegerVector3 short_normal_through(const Point& a, const Point& b, const Point&
   return {to_integer(u[1] * v[2] - u[2] * v[1]), to_integer(u[2] * v[0] - u[0] * v[2]),
           to_integer(u[0] * v[1] - u[1] * v[0])};
 }
-
-IntegerVector3 normal_through(const Point& a, const Point& b, const Point& c, int exponent) {
-  const IntegerVector3 first = scaled_to_integer(a, exponent);
-  const IntegerVector3 u = scaled_to_integer(b, exponent) - first;
-  const IntegerVector3 v = scaled_to_integer(c, exponent) - first;
-  return u.cross(v);
+#else  // compilers for 32-bit machines have no integers of 128 bits
+IntegerVector3 short_normal_through(const Point& a, const Point& b, const Point& c, int exponent) {
+  return normal_through(a, b, c, exponent);
 }
+#endif
 
 }  // namespace
 

@@ -156,13 +156,15 @@ void AtomicOutput::keep_replaced(File& file) {
     if (::link(file.target.c_str(), file.backup.c_str()) == 0) return;
     const int reason = errno;
     if (reason == EEXIST) continue;
-    // On a file system without hard links the file is moved away instead.
-    if (reason != ENOENT && ::access(file.backup.c_str(), F_OK) != 0 &&
+    // Where hard links are refused, the file is moved away instead. Some refuse them before they
+    // look whether there is a file.
+    const bool is_there = reason != ENOENT && ::access(file.target.c_str(), F_OK) == 0;
+    if (is_there && ::access(file.backup.c_str(), F_OK) != 0 &&
         std::rename(file.target.c_str(), file.backup.c_str()) == 0) {
       return;
     }
     file.backup.clear();  // no file has this name
-    if (reason == ENOENT) return;
+    if (!is_there) return;
     cannot_write(file.path, reason);
   }
   file.backup.clear();

@@ -88,8 +88,8 @@ bool is_number(std::string_view field) {
   }
 }
 
-std::optional<std::size_t> count_of(std::string_view field) {
-  std::size_t count = 0;
+std::optional<std::uint64_t> count_of(std::string_view field) {
+  std::uint64_t count = 0;
   const auto [end, status] = std::from_chars(field.data(), field.data() + field.size(), count);
   if (status != std::errc() || end != field.data() + field.size()) return {};
   return count;
@@ -209,7 +209,7 @@ class CloudReader {
   std::string_view text_;  // of the line
   std::array<std::size_t, 3> columns_{0, 1, 2};
   bool has_names_ = false;
-  std::optional<std::size_t> announced_;
+  std::optional<std::uint64_t> announced_;
   std::size_t skipped_ = 0;
 };
 

@@ -16,12 +16,14 @@ namespace {
 
 using nlohmann::json;
 
+constexpr std::uint64_t kAnyUnsigned = ~std::uint64_t{0};
+
 // An integer of an object that may lack it.
-std::size_t unsigned_or(const json& object, const char* key, std::size_t missing,
-                        const std::string& where) {
+std::uint64_t unsigned_or(const json& object, const char* key, std::uint64_t missing,
+                          const std::string& where) {
   const auto found = object.find(key);
   if (found == object.end()) return missing;
-  return gltf_unsigned(*found, ~std::size_t{0}, where + "." + key);
+  return gltf_unsigned(*found, kAnyUnsigned, where + "." + key);
 }
 
 const json& required(const json& object, const char* key, const std::string& where) {
@@ -30,14 +32,14 @@ const json& required(const json& object, const char* key, const std::string& whe
   return *found;
 }
 
-// The bytes [offset, offset + size) of `bytes`.
-std::string_view slice(std::string_view bytes, std::size_t offset, std::size_t size,
+// The bytes [offset, offset + size) of `bytes`. What files say may exceed std::size_t.
+std::string_view slice(std::string_view bytes, std::uint64_t offset, std::uint64_t size,
                        const std::string& where) {
   if (offset > bytes.size() || size > bytes.size() - offset) {
     gltf_fail(where, counted(size, "byte", "bytes") + " from byte " + std::to_string(offset) +
                          " on, found " + counted(bytes.size(), "byte", "bytes") + " in all");
   }
-  return bytes.substr(offset, size);
+  return bytes.substr(static_cast<std::size_t>(offset), static_cast<std::size_t>(size));
 }
 
 constexpr unsigned kByte = 5120, kUnsignedByte = 5121, kShort = 5122, kUnsignedShort = 5123,
@@ -83,14 +85,14 @@ void gltf_fail(const std::string& where, const std::string& expected, ErrorCode 
   throw Error(code, where + ": expected " + expected);
 }
 
-std::size_t gltf_unsigned(const json& value, std::size_t limit, const std::string& where) {
+std::uint64_t gltf_unsigned(const json& value, std::uint64_t limit, const std::string& where) {
   // Below a spelled key, an integer is its text.
-  if (!value.is_number_unsigned() || value.get<std::size_t>() >= limit) {
+  if (!value.is_number_unsigned() || value.get<std::uint64_t>() >= limit) {
     gltf_fail(where, "an integer from 0" +
-                         (limit == ~std::size_t{0} ? "" : " to " + std::to_string(limit - 1)) +
+                         (limit == kAnyUnsigned ? "" : " to " + std::to_string(limit - 1)) +
                          ", found " + in_quotes(dump_json(value)));
   }
-  return value.get<std::size_t>();
+  return value.get<std::uint64_t>();
 }
 
 std::size_t GltfAccessor::component_size() const { return size_of_component(type, where); }
@@ -198,7 +200,7 @@ std::size_t GltfDocument::index(const json& value, const char* name,
   const json& items = list(name);
   if (items.empty())
     gltf_fail(where, std::string("an index into ") + name + ", which has no items");
-  const std::size_t found = gltf_unsigned(value, items.size(), where);
+  const auto found = static_cast<std::size_t>(gltf_unsigned(value, items.size(), where));
   if (!items[found].is_object()) gltf_fail(gltf_place(name, found), "an object");
   return found;
 }
@@ -206,8 +208,8 @@ std::size_t GltfDocument::index(const json& value, const char* name,
 std::string_view GltfDocument::buffer(std::size_t index) {
   const std::string where = gltf_place("buffers", index);
   const json& item = list("buffers")[index];
-  const std::size_t size =
-      gltf_unsigned(required(item, "byteLength", where), ~std::size_t{0}, where + ".byteLength");
+  const std::uint64_t size =
+      gltf_unsigned(required(item, "byteLength", where), kAnyUnsigned, where + ".byteLength");
   const auto uri = item.find("uri");
   if (uri == item.end()) {
     if (index != 0 || !binary_chunk_) gltf_fail(where, "a uri, or the bytes of a .glb");
@@ -233,7 +235,7 @@ std::string_view GltfDocument::buffer(std::size_t index) {
 }
 
 std::string_view GltfDocument::view(const json& value, const std::string& where_from,
-                                    std::size_t* stride) {
+                                    std::uint64_t* stride) {
   const std::size_t number = index(value, "bufferViews", where_from + ".bufferView");
   const std::string where = gltf_place("bufferViews", number);
   const json& item = list("bufferViews")[number];
@@ -245,8 +247,8 @@ std::string_view GltfDocument::view(const json& value, const std::string& where_
     }
   }
   const std::size_t of = index(required(item, "buffer", where), "buffers", where + ".buffer");
-  const std::size_t size =
-      gltf_unsigned(required(item, "byteLength", where), ~std::size_t{0}, where + ".byteLength");
+  const std::uint64_t size =
+      gltf_unsigned(required(item, "byteLength", where), kAnyUnsigned, where + ".byteLength");
   if (stride) *stride = unsigned_or(item, "byteStride", 0, where);
   return slice(buffer(of), unsigned_or(item, "byteOffset", 0, where), size, where);
 }
@@ -266,29 +268,31 @@ GltfAccessor GltfDocument::accessor(std::size_t number) {
   accessor.components = known->second;
   accessor.type = static_cast<unsigned>(
       gltf_unsigned(required(item, "componentType", where), 65536, where + ".componentType"));
-  accessor.count = gltf_unsigned(required(item, "count", where), ~std::size_t{0}, where + ".count");
+  const std::uint64_t count =
+      gltf_unsigned(required(item, "count", where), kAnyUnsigned, where + ".count");
   accessor.is_normalized = item.contains("normalized") && item["normalized"] == true;
   const std::size_t element = accessor.components * accessor.component_size();
   accessor.stride_ = element;
-  if (item.contains("bufferView") && accessor.count > 0) {
-    std::size_t stride = 0;
+  if (item.contains("bufferView") && count > 0) {
+    std::uint64_t stride = 0;
     const std::string_view bytes = view(item["bufferView"], where, &stride);
-    if (stride != 0) accessor.stride_ = stride;
-    if (accessor.stride_ < element || accessor.stride_ > 65536) {
+    if (stride == 0) stride = element;
+    if (stride < element || stride > 65536) {
       gltf_fail(where, "a byteStride from " + std::to_string(element) + " to 65536, found " +
-                           std::to_string(accessor.stride_));
+                           std::to_string(stride));
     }
-    if (accessor.count - 1 > bytes.size() / accessor.stride_) {
-      gltf_fail(where, std::to_string(accessor.count) + " elements of " +
-                           std::to_string(accessor.stride_) + " bytes each, found " +
-                           counted(bytes.size(), "byte", "bytes"));
+    accessor.stride_ = static_cast<std::size_t>(stride);
+    if (count - 1 > bytes.size() / accessor.stride_) {
+      gltf_fail(where, std::to_string(count) + " elements of " + std::to_string(accessor.stride_) +
+                           " bytes each, found " + counted(bytes.size(), "byte", "bytes"));
     }
-    const std::size_t size = (accessor.count - 1) * accessor.stride_ + element;
+    const std::uint64_t size = (count - 1) * stride + element;
     accessor.bytes_ = slice(bytes, unsigned_or(item, "byteOffset", 0, where), size, where);
-  } else if (accessor.count > total_bytes_) {
+  } else if (count > total_bytes_) {
     gltf_fail(where,
               "at most as many elements as the file has bytes");  // all zero, so no bytes hold it
   }
+  accessor.count = static_cast<std::size_t>(count);
   if (item.contains("sparse")) read_sparse(item["sparse"], accessor);
   return accessor;
 }
@@ -297,8 +301,8 @@ GltfAccessor GltfDocument::accessor(std::size_t number) {
 void GltfDocument::read_sparse(const json& sparse, GltfAccessor& accessor) {
   const std::string where = accessor.where + ".sparse";
   if (!sparse.is_object()) gltf_fail(where, "an object");
-  const std::size_t count =
-      gltf_unsigned(required(sparse, "count", where), accessor.count + 1, where + ".count");
+  const std::uint64_t count = gltf_unsigned(required(sparse, "count", where),
+                                            std::uint64_t{accessor.count} + 1, where + ".count");
   const json& indices = required(sparse, "indices", where);
   const json& values = required(sparse, "values", where);
   if (!indices.is_object() || !values.is_object())
@@ -312,7 +316,7 @@ void GltfDocument::read_sparse(const json& sparse, GltfAccessor& accessor) {
   }
   index.stride_ = index.component_size();
   const std::size_t element = accessor.components * accessor.component_size();
-  const auto bytes_of = [&](const json& part, const std::string& name, std::size_t size) {
+  const auto bytes_of = [&](const json& part, const std::string& name, std::uint64_t size) {
     const std::string_view bytes = view(required(part, "bufferView", name), name, nullptr);
     if (count > bytes.size()) gltf_fail(name, std::to_string(count) + " elements");
     return slice(bytes, unsigned_or(part, "byteOffset", 0, name), count * size, name);

@@ -25,8 +25,8 @@ namespace convexact {
 /// A number of a glTF: a spelled decimal, or an integer.
 /// @param where  For messages: "nodes[3].scale".
 /// @throws Error Malformed for anything but an integer >= 0 below `limit`.
-[[nodiscard]] std::size_t gltf_unsigned(const nlohmann::json& value, std::size_t limit,
-                                        const std::string& where);
+[[nodiscard]] std::uint64_t gltf_unsigned(const nlohmann::json& value, std::uint64_t limit,
+                                          const std::string& where);
 
 /// A list of vectors of 1 to 3 components. (Section 3.6.2.)
 class GltfAccessor {
@@ -75,7 +75,8 @@ class GltfDocument {
   void read_container(std::string_view bytes);
   void require_known_extensions() const;
   std::string_view buffer(std::size_t index);
-  std::string_view view(const nlohmann::json& index, const std::string& where, std::size_t* stride);
+  std::string_view view(const nlohmann::json& index, const std::string& where,
+                        std::uint64_t* stride);
   void read_sparse(const nlohmann::json& sparse, GltfAccessor& accessor);
 
   std::string folder_;

@@ -86,7 +86,7 @@ class GltfMeshes {
     const GltfAccessor points = positions(*position, where);
     const auto mode =
         static_cast<Mode>(item.contains("mode") ? gltf_unsigned(item["mode"], 7, where + ".mode")
-                                                : std::size_t{kTriangles});
+                                                : std::uint64_t{kTriangles});
     const std::vector<std::size_t> corners = item.contains("indices")
                                                  ? indices(item["indices"], points.count, where)
                                                  : first_numbers(points.count);

@@ -183,7 +183,8 @@ double Json::number() const {
 std::size_t Json::count() const {
   const auto* value = std::get_if<std::int64_t>(&value_);
   CONVEXACT_ASSERT(value == nullptr || *value >= 0);
-  return value ? static_cast<std::size_t>(*value) : std::get<std::uint64_t>(value_);
+  return static_cast<std::size_t>(value ? static_cast<std::uint64_t>(*value)
+                                        : std::get<std::uint64_t>(value_));
 }
 
 bool operator==(const Json& a, const Json& b) {

@@ -10,6 +10,18 @@
 
 namespace convexact {
 
+/// Mixed in 64 bits, of which the lower half depends on every bit of the point, so std::size_t may
+/// have 32: small integers as doubles differ in their upper halves only.
+[[nodiscard]] inline std::size_t hash_of(const Point& point) {
+  std::uint64_t hash = 0;
+  for (const double x : point) {
+    // x + 0.0 turns -0 into the 0 that it equals; the multiplier is 2^64 over the golden ratio.
+    hash = (hash ^ std::bit_cast<std::uint64_t>(x + 0.0)) * 0x9E3779B97F4A7C15u;
+    hash ^= hash >> 32;
+  }
+  return static_cast<std::size_t>(hash);
+}
+
 /// Collects points and gives equal ones the index of the first.
 class PointMerger {
  public:
@@ -28,15 +40,7 @@ class PointMerger {
  private:
   struct Hash {
     const PointCollector* points;
-    std::size_t operator()(std::uint32_t index) const {
-      std::size_t hash = 0;
-      for (const double x : points->double_at(index)) {
-        // x + 0.0 turns -0 into the 0 that it equals; the multiplier is 2^64 over the golden ratio.
-        hash = (hash ^ std::bit_cast<std::uint64_t>(x + 0.0)) * 0x9E3779B97F4A7C15u;
-        hash ^= hash >> 32;
-      }
-      return hash;
-    }
+    std::size_t operator()(std::uint32_t index) const { return hash_of(points->double_at(index)); }
   };
   struct Equal {
     const PointCollector* points;

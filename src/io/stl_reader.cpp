@@ -12,10 +12,16 @@
 namespace convexact {
 namespace {
 
-constexpr std::size_t kHeaderSize = 84, kTriangleSize = 50;
+constexpr std::size_t kHeaderSize = 84;
 
-std::size_t announced_triangles(std::string_view bytes) {
+std::uint32_t announced_triangles(std::string_view bytes) {
   return BinaryCursor(bytes, 80, ByteOrder::Little).take<std::uint32_t>();
+}
+
+// Up to 50 times 2^32, which std::size_t need not hold.
+std::uint64_t announced_bytes(std::string_view bytes) {
+  constexpr std::uint64_t kTriangleSize = 50;
+  return kHeaderSize + kTriangleSize * announced_triangles(bytes);
 }
 
 std::string skipped_facets_note(std::size_t count) {
@@ -148,8 +154,8 @@ class TextStlReader {
 // told. Its first word does not matter. Text has no byte 0.
 std::optional<Mesh> read_wrong_size(std::string_view bytes, const ReadOptions& options) {
   if (bytes.size() < kHeaderSize || bytes.find('\0') == bytes.npos) return {};
-  const std::size_t count = announced_triangles(bytes);
-  const std::size_t needed = kHeaderSize + kTriangleSize * count;
+  const std::uint32_t count = announced_triangles(bytes);
+  const std::uint64_t needed = announced_bytes(bytes);
   if (bytes.size() > needed && count > 0) return read_binary(bytes, options);
   throw Error(ErrorCode::Malformed, "expected " + std::to_string(needed) +
                                         " bytes of binary STL for the " + std::to_string(count) +
@@ -162,7 +168,7 @@ std::optional<Mesh> read_wrong_size(std::string_view bytes, const ReadOptions& o
 // Many binary files start with "solid", as text files do; only the size distinguishes them.
 bool is_binary_stl(std::string_view bytes) {
   if (bytes.size() < kHeaderSize) return false;
-  return bytes.size() == kHeaderSize + kTriangleSize * announced_triangles(bytes);
+  return bytes.size() == announced_bytes(bytes);
 }
 
 Mesh read_stl(std::string_view bytes, const ReadOptions& options) {

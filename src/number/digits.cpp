@@ -2,7 +2,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
+#include <cstdint>
 
 #include "convexact/error.hpp"
 #include "convexact/number.hpp"
@@ -72,6 +74,18 @@ void require_digits(int digits) {
 
 }  // namespace
 
+std::string hex_float(double x) {
+  constexpr int kMantissaBits = 52, kBias = 1023;
+  const auto bits = std::bit_cast<std::uint64_t>(x);
+  const std::uint64_t mantissa = bits & ((std::uint64_t{1} << kMantissaBits) - 1);
+  const int exponent = static_cast<int>(bits >> kMantissaBits & 0x7ff);
+  std::string digits = fmt::format(".{:013x}", mantissa);
+  digits.erase(digits.find_last_not_of(mantissa == 0 ? ".0" : "0") + 1);
+  const bool is_normal = exponent != 0;
+  const int power = is_normal ? exponent - kBias : mantissa == 0 ? 0 : 1 - kBias;
+  return fmt::format("{}0x{:d}{}p{:+d}", std::signbit(x) ? "-" : "", is_normal, digits, power);
+}
+
 std::string to_decimal(const Rational& x, int digits) {
   require_digits(digits);
   if (x == 0) return "0";
@@ -117,13 +131,13 @@ std::string escaped_markup(std::string_view text) {
   return markup;
 }
 
-std::string with_separators(std::size_t count) {
+std::string with_separators(std::uint64_t count) {
   std::string digits = std::to_string(count);
   for (std::size_t i = digits.size(); i > 3; i -= 3) digits.insert(i - 3, 1, ',');
   return digits;
 }
 
-std::string counted(std::size_t count, const char* one, const char* many) {
+std::string counted(std::uint64_t count, const char* one, const char* many) {
   return with_separators(count) + " " + (count == 1 ? one : many);
 }
 

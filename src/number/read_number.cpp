@@ -18,19 +18,16 @@ std::string in_quotes(std::string_view text) {
   return shown + (text.size() > kLongest ? "...'" : "'");
 }
 
+bool is_digits(std::string_view text) {
+  return !text.empty() && text.find_first_not_of("0123456789") == text.npos;
+}
+
 namespace {
 
 constexpr long kMaxDecimalExponent = 100000;
 
 [[noreturn]] void reject_number(std::string_view text) {
   throw Error(ErrorCode::Malformed, "expected a number, found '" + std::string(text) + "'");
-}
-
-bool is_digits(std::string_view text) {
-  for (const char c : text) {
-    if (c < '0' || c > '9') return false;
-  }
-  return !text.empty();
 }
 
 Integer parse_digits(std::string_view digits) {
@@ -117,7 +114,7 @@ Float rounded(const Rational& x) {
 }
 
 // The exponent e of the first nonzero digit: |x| = d.ddd * 10^e. Saturates far beyond any double.
-// `text` is a decimal that std::from_chars accepted, so its form needs no second check.
+// `text` is a decimal, so its form needs no second check.
 long leading_exponent(std::string_view text) {
   constexpr long kFar = 1000000000;
   long exponent = 0;
@@ -136,9 +133,9 @@ long leading_exponent(std::string_view text) {
   return exponent + (first < point ? point - first - 1 : point - first);
 }
 
-// A decimal that std::from_chars found outside the range of normal numbers.
+// A decimal of any length and exponent, by exact arithmetic.
 template <class Float>
-Float round_out_of_range(std::string_view body, bool negative, std::string_view text) {
+Float round_exactly(std::string_view body, bool negative, std::string_view text) {
   // Every double is below 2e308, and everything below 1e-325 rounds to zero, in binary32 too.
   const long exponent = leading_exponent(body);
   Float magnitude = 0;
@@ -148,6 +145,19 @@ Float round_out_of_range(std::string_view body, bool negative, std::string_view 
   return negative ? -magnitude : magnitude;
 }
 
+// A whole text as a number without sign. Decimals outside of the range of normal numbers, and
+// perhaps others, are left to exact arithmetic: std::errc::result_out_of_range.
+template <class Float>
+std::errc read_unsigned(std::string_view text, Float& value) {
+#ifdef __cpp_lib_to_chars
+  const char* const last = text.data() + text.size();
+  const auto [end, status] = std::from_chars(text.data(), last, value);
+  return end == last ? status : std::errc::invalid_argument;
+#else  // as in libc++ before 20, which reads integers only
+  return from_short_decimal(text, value);
+#endif
+}
+
 template <class Float>
 Float nearest(std::string_view text) {
   std::string_view body = text;
@@ -155,11 +165,9 @@ Float nearest(std::string_view text) {
   if (!body.empty() && (body.front() == '-' || body.front() == '+')) body.remove_prefix(1);
   if (body.empty() || body.front() == '-') reject(text);
   Float value = 0;
-  const auto [end, status] = std::from_chars(body.data(), body.data() + body.size(), value);
-  if (end != body.data() + body.size() || status == std::errc::invalid_argument) reject(text);
-  if (status == std::errc::result_out_of_range) {
-    return round_out_of_range<Float>(body, negative, text);
-  }
+  const std::errc status = read_unsigned(body, value);
+  if (status == std::errc::invalid_argument) reject(text);
+  if (status == std::errc::result_out_of_range) return round_exactly<Float>(body, negative, text);
   if (!std::isfinite(value)) reject_as_infinite<Float>(text);
   return negative ? -value : value;
 }

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <concepts>
 #include <cstddef>
 #include <cstdint>
 #include <string>
@@ -15,6 +16,7 @@
 #include "convexact/geometry.hpp"
 #include "convexact/linear_program.hpp"
 #include "convexact/number.hpp"
+#include "number/text.hpp"
 
 namespace convexact {
 
@@ -50,9 +52,12 @@ class ProofLines {
  private:
   void add(const char* word) { text_ += std::string(" ") + word; }
   void add(const std::string& word) { text_ += ' ' + word; }
-  void add(std::size_t number) { text_ += fmt::format(" {}", number); }
-  void add(std::uint32_t number) { text_ += fmt::format(" {}", number); }
-  void add(double number) { text_ += fmt::format(" {:a}", number); }
+  // A template, as std::size_t and std::uint32_t are one type on 32-bit machines.
+  template <std::unsigned_integral Number>
+  void add(Number number) {
+    text_ += fmt::format(" {}", number);
+  }
+  void add(double number) { add(hex_float(number)); }
   void add(const Rational& number) { add(to_string(number)); }
   void add(const Integer& number) { add(to_string(number)); }
   template <class Tag>

@@ -175,7 +175,7 @@ class PartWalk : public CellWalk {
   // or a corner of it is a witness.
   bool clip(const CellPlace& place, bool is_least) {
     const std::vector<RationalPoint> corners = common_corners(part_, place, cells_.frame());
-    if (corners.empty() || are_near(corners, cells_.triangle(place.cell))) return true;
+    if (corners.empty() || are_near_triangle(corners, cells_.triangle(place.cell))) return true;
     for (const RationalPoint& x : corners) {
       if (near_surface(x).distance.low <= cells_.limit_up() || !consider(x, farthest_)) continue;
       is_beyond_ = true;
@@ -200,7 +200,7 @@ class PartWalk : public CellWalk {
         triangles.push_back(t);
     }
     for (const std::uint32_t t : triangles) {
-      if (are_near(points, t)) return true;
+      if (are_near_triangle(points, t)) return true;
     }
     for (const std::uint32_t t : triangles) {
       if (walls == 0) return false;
@@ -213,7 +213,7 @@ class PartWalk : public CellWalk {
         above = on_one_side(above, wall);
         if (above.empty()) break;
       }
-      if (beyond.empty() || above.empty() || !are_near(above, t)) continue;
+      if (beyond.empty() || above.empty() || !are_near_triangle(above, t)) continue;
       return std::all_of(beyond.begin(), beyond.end(),
                          [&](const auto& rest) { return are_near(rest, walls - 1); });
     }
@@ -235,7 +235,7 @@ class PartWalk : public CellWalk {
     return walls;
   }
 
-  bool are_near(const std::vector<RationalPoint>& corners, std::uint32_t triangle) const {
+  bool are_near_triangle(const std::vector<RationalPoint>& corners, std::uint32_t triangle) const {
     return std::all_of(corners.begin(), corners.end(), [&](const RationalPoint& x) {
       const NearBounds near = cells_.triangles().to_triangle(triangle, cells_.frame()(x));
       if (near.high <= cells_.limit_down()) return true;

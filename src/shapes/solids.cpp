@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "convexact/number.hpp"
+#include "number/arithmetic.hpp"
 #include "number/precision.hpp"
 #include "shapes/makers.hpp"
 
@@ -166,8 +167,9 @@ CirclePoint in_first_octant(std::uint64_t a, std::uint64_t b) {
   }
   BigFloat angle(kMeasureBits), sine(kMeasureBits), cosine(kMeasureBits);
   mpfr_const_pi(angle.data(), MPFR_RNDN);
-  mpfr_mul_ui(angle.data(), angle.data(), a, MPFR_RNDN);
-  mpfr_div_ui(angle.data(), angle.data(), b, MPFR_RNDN);
+  // (Not mpfr_mul_ui: its word may have 32 bits.)
+  mpfr_mul_z(angle.data(), angle.data(), raw(Integer(a)), MPFR_RNDN);
+  mpfr_div_z(angle.data(), angle.data(), raw(Integer(b)), MPFR_RNDN);
   mpfr_sin_cos(sine.data(), cosine.data(), angle.data(), MPFR_RNDN);
   return {mpfr_get_d(cosine.data(), MPFR_RNDN), mpfr_get_d(sine.data(), MPFR_RNDN)};
 }

@@ -2,11 +2,20 @@
 #include "simplify/modular_volume.hpp"
 
 #include "convexact/error.hpp"
+#include "number/arithmetic.hpp"
+#ifndef __SIZEOF_INT128__
+#include <boost/multiprecision/cpp_int.hpp>
+#endif
 
 namespace convexact {
 namespace {
 
+// Of two numbers of 64 bits. Compilers for 32-bit machines lack a type for it.
+#ifdef __SIZEOF_INT128__
 __extension__ typedef unsigned __int128 Product;
+#else
+using Product = boost::multiprecision::uint128_t;
+#endif
 
 // A random prime in [2^60, 2^61).
 std::uint64_t random_prime(Random& random) {
@@ -30,7 +39,14 @@ ModularVolume::ModularVolume(std::span<const Halfspace> halfspaces, Random& rand
 }
 
 std::uint64_t ModularVolume::residue(const Integer& x) const {
-  return mpz_fdiv_ui(x.backend().data(), prime_);
+  // GMP divides by one word fast, but where its word has 32 bits the prime does not fit.
+  if constexpr (sizeof(unsigned long) >= sizeof prime_) {
+    return mpz_fdiv_ui(raw(x), static_cast<unsigned long>(prime_));
+  }
+  const Integer prime(prime_);
+  Integer rest;
+  mpz_fdiv_r(raw(rest), raw(x), raw(prime));
+  return rest.convert_to<std::uint64_t>();
 }
 std::uint64_t ModularVolume::residue(const Rational& x) const {
   return product(residue(numerator(x)), inverse(residue(denominator(x))));

@@ -61,7 +61,8 @@ std::vector<HalfspaceId> PlainSurface::ring(HalfspaceId i) const {
 std::vector<DualTriangle> PlainSurface::triangles() const {
   std::vector<DualTriangle> triangles;
   for (const auto& [edge, c] : third_) {
-    const HalfspaceId a(edge >> 32), b(edge & 0xffffffffu);
+    const HalfspaceId a(static_cast<std::uint32_t>(edge >> 32)),
+        b(static_cast<std::uint32_t>(edge));
     if (a < b && a < c) triangles.push_back({a, b, c});
   }
   return triangles;

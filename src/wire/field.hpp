@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <functional>
 #include <limits>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -27,6 +28,22 @@ struct CountRange {
 ///               of the range, however long.
 [[nodiscard]] std::uint64_t parse_count(const std::string& option, const std::string& text,
                                         const CountRange& range);
+
+/// A count as a number that may have fewer bits, as std::size_t on 32-bit machines. Its largest one
+/// stands for all beyond it: a machine never holds more.
+template <class Number>
+[[nodiscard]] Number narrowed(std::uint64_t count) {
+  constexpr auto kMost = static_cast<std::uint64_t>(std::numeric_limits<Number>::max());
+  return static_cast<Number>(std::min(count, kMost));
+}
+template <class Number>
+void assign_count(Number& target, std::uint64_t count) {
+  target = narrowed<Number>(count);
+}
+template <class Number>
+void assign_count(std::optional<Number>& target, std::uint64_t count) {
+  target = narrowed<Number>(count);
+}
 
 enum class FieldKind {
   Flag,    ///< "true" or "false"; on the command line it is given or not.
@@ -151,7 +168,7 @@ template <class Request, class Member>
 Field<Request> count_field(std::string name, Member member, CountRange range, std::string meaning) {
   return {{std::move(name), FieldKind::Count, std::move(meaning), range, {}, 0},
           [member, range](Request& request, const std::string& option, const std::string& text) {
-            request.*member = parse_count(option, text, range);
+            assign_count(request.*member, parse_count(option, text, range));
           },
           [member](const Request& request) -> std::string {
             const auto& value = request.*member;

@@ -9,6 +9,7 @@
 #include "convexact/error.hpp"
 #include "io/json_text.hpp"
 #include "number/text.hpp"
+#include "wire/field.hpp"
 
 namespace convexact {
 
@@ -55,7 +56,7 @@ std::optional<std::size_t> index_of(const json& node, const char* key, std::size
   if (!node[key].is_number_unsigned()) {
     reject_entry(fmt::format("the {} of node {} as an index or null", key, number));
   }
-  return node[key].get<std::size_t>();
+  return narrowed<std::size_t>(node[key].get<std::uint64_t>());
 }
 
 std::vector<std::size_t> indices_of(const json& list, std::size_t number) {
@@ -64,7 +65,7 @@ std::vector<std::size_t> indices_of(const json& list, std::size_t number) {
     if (!entry.is_number_unsigned()) {
       reject_entry(fmt::format("the children of node {} as indices", number));
     }
-    indices.push_back(entry.get<std::size_t>());
+    indices.push_back(narrowed<std::size_t>(entry.get<std::uint64_t>()));
   }
   return indices;
 }

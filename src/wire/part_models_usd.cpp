@@ -11,6 +11,8 @@
 #include <set>
 #include <string_view>
 
+#include "convexact/error.hpp"
+#include "convexact/number.hpp"
 #include "convexact/overlay.hpp"
 #include "io/output_buffer.hpp"
 #include "scene/objects.hpp"
@@ -134,6 +136,14 @@ std::string write_usd(const ModelBody& body, std::span<const WrittenPart> parts)
   return out.finish();
 }
 
+std::optional<double> finite_number(std::string_view text) {
+  try {
+    return nearest_double(text);
+  } catch (const Error&) {
+    return {};
+  }
+}
+
 // "(x, y, z), (x, y, z)]": each number as USD reads it, to the nearest double and from there to the
 // nearest float. Nothing if the text is of another form, or a number beyond the largest float.
 std::optional<PointSet> points_of_line(std::string_view text) {
@@ -147,11 +157,11 @@ std::optional<PointSet> points_of_line(std::string_view text) {
     Point point;
     for (int axis = 0; axis < 3; ++axis) {
       if (!skip(axis == 0 ? "(" : ", ")) return {};
-      double number = 0;
-      const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
-      if (error != std::errc() || std::abs(number) > std::numeric_limits<float>::max()) return {};
-      text.remove_prefix(static_cast<std::size_t>(end - text.data()));
-      point[axis] = static_cast<float>(number);
+      const std::string_view word = text.substr(0, text.find_first_of(",)"));
+      const std::optional<double> number = finite_number(word);
+      if (!number || std::abs(*number) > std::numeric_limits<float>::max()) return {};
+      text.remove_prefix(word.size());
+      point[axis] = static_cast<float>(*number);
     }
     if (!skip(")")) return {};
     points.push_back(point);
@@ -260,7 +270,7 @@ std::optional<std::vector<NamedPart>> parts_of_usd(const std::string& bytes) {
     if (const auto display = after("    displayName = \"")) body.name = unquoted(*display);
     if (const auto up = after(kUpLine)) body.up = *up == "\"Y\"" ? UpAxis::Y : UpAxis::Z;
     if (const auto unit = after(kUnitLine)) {
-      (void)std::from_chars(unit->data(), unit->data() + unit->size(), body.scale);
+      body.scale = finite_number(*unit).value_or(body.scale);
     }
     if (const auto prim = after(kMeshLine)) names.push_back(unquoted(*prim));
     if (const auto display = after("        displayName = \""); display && !names.empty()) {

@@ -13,6 +13,7 @@
 #include "oracle/order/facet_match.hpp"
 #include "simplify/cost_reader.hpp"
 #include "simplify/run_names.hpp"
+#include "wire/field.hpp"
 #include "wire/trace_json.hpp"
 
 namespace convexact {
@@ -107,7 +108,7 @@ void StepReader::read_claims(const json& step, CostMeasure measure, OrderedStep&
   if (step.contains("left")) {
     if (!step["left"].is_number_unsigned()) reject("how many are left");
     ordered.claims_left = true;
-    ordered.step.left = step["left"].get<std::size_t>();
+    ordered.step.left = narrowed<std::size_t>(step["left"].get<std::uint64_t>());
   }
 }
 

@@ -9,6 +9,7 @@
 
 #include "io/json.hpp"
 #include "io/json_text.hpp"
+#include "wire/field.hpp"
 #include "wire/json_mesh.hpp"
 #include "wire/stage_report.hpp"
 
@@ -72,7 +73,7 @@ void read_fields(const json& object, const BoundFields& fields) {
 std::optional<std::size_t> count_in(const json& request, const char* key) {
   if (!request.contains(key)) return std::nullopt;
   if (!request[key].is_number_unsigned()) reject_request(std::string(key) + " as a count");
-  return request[key].get<std::size_t>();
+  return narrowed<std::size_t>(request[key].get<std::uint64_t>());
 }
 
 std::optional<bool> flag_in(const json& request, const char* key) {

@@ -89,7 +89,7 @@ Fields<SimplifyRequest> make_simplify_fields() {
 
 // The most vertices of which a hull has no more triangles than this: v vertices have up to 2 v - 4.
 std::size_t vertices_of_triangles(const std::string& option, const std::string& text) {
-  return parse_count(option, text, {4, kMost}) / 2 + 2;
+  return narrowed<std::size_t>(parse_count(option, text, {4, kMost}) / 2 + 2);
 }
 
 Fields<InnerRequest> make_inner_fields() {

@@ -1,14 +1,26 @@
 // SPDX-License-Identifier: MIT
 // Outputs that appear together or not at all. The folder is listed after every attempt.
 #include <doctest/doctest.h>
+#include <fcntl.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <cerrno>
 #include <filesystem>
 #include <set>
 
 #include "convexact/io.hpp"
 #include "expect_error.hpp"
+
+namespace {
+int refused_links = 0;  // the errno of link(), if it is to fail
+}
+
+// Takes the place of the system's, which some file systems and WebAssembly refuse.
+extern "C" int link(const char* from, const char* to) noexcept {
+  errno = refused_links;
+  return refused_links != 0 ? -1 : ::linkat(AT_FDCWD, from, AT_FDCWD, to, 0);
+}
 
 using namespace convexact;
 namespace fs = std::filesystem;
@@ -135,6 +147,33 @@ TEST_CASE("AtomicOutput: a last step that fails undoes every move (#13)") {
   output.commit([] {});
   CHECK(folder.names() == Names{"old"});
   CHECK(read_bytes(folder / "old") == "y");
+}
+
+TEST_CASE(
+    "AtomicOutput: where hard links are refused, files are written and replaced all the same") {
+  for (const int reason : {EPERM, ENOSYS, EOPNOTSUPP, EXDEV, EMLINK, EACCES}) {
+    CAPTURE(reason);
+    const Folder folder;
+    write(folder / "old", "old");
+    refused_links = reason;
+    AtomicOutput output;
+    output.add(folder / "new", "x");
+    output.add(folder / "old", "y");
+    output.add(folder / "last", "z");
+    output.commit([] {});
+    CHECK(folder.names() == Names{"last", "new", "old"});
+    CHECK(read_bytes(folder / "new") == "x");
+    CHECK(read_bytes(folder / "old") == "y");
+    output.add(folder / "newer", "x");
+    output.add(folder / "old", "z");
+    CHECK(error_of([&] {
+            output.commit([]() -> void { throw Error(ErrorCode::Stopped, "at last"); });
+            return 0;
+          }).code() == ErrorCode::Stopped);
+    refused_links = 0;
+    CHECK(folder.names() == Names{"last", "new", "old"});
+    CHECK(read_bytes(folder / "old") == "y");
+  }
 }
 
 TEST_CASE("AtomicOutput: one file twice, under two names") {

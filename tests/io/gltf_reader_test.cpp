@@ -332,6 +332,7 @@ TEST_CASE("gltf: what is malformed is refused by name") {
   CHECK(says(tetrahedra(R"({"children":[1]},{"children":[0]})"), "below two others or itself"));
   CHECK(says(tetrahedra(R"({"mesh":1})"),
              "nodes[0].mesh: expected an integer from 0 to 0, found '1'"));
+  CHECK(says(tetrahedra(R"({"mesh":4294967296})"), "from 0 to 0, found '4294967296'"));
   CHECK(says(tetrahedra(R"({"mesh":-1})"), "an integer"));
   CHECK(says(tetrahedra(R"({"mesh":0.5})"), "an integer"));
   CHECK(says(tetrahedra(R"({"mesh":0})", "7"), "scenes[0].nodes"));

@@ -86,6 +86,8 @@ TEST_CASE("read_stl: every error says where it is and what was expected") {
            {"", {}, "expected STL: text that begins with solid, or 84 + 50 n bytes"},
            {binary("", 2, {{}}), {}, "expected 184 bytes"},
            {binary("", 4000000000u, {{}}), {}, "expected 200000000084 bytes"},
+           // 50 times this is 0 in 32 bits.
+           {binary("", 2147483648u, {}), {}, "expected 107374182484 bytes"},
            {std::string(134, ' '), {}, "found neither in 134 bytes"},
            {binary("", 2, {{}, {0, 0, 0, 0, infinity, 0, 0, 0, 0}}),
             {},

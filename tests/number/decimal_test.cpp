@@ -168,6 +168,50 @@ TEST_CASE("parse_number: integers and fractions are exact, decimals by choice") 
         ErrorCode::NotFinite);
 }
 
+TEST_CASE("from_short_decimal: right where it decides, which it does for short decimals") {
+  const auto check = [](const std::string& text, auto value, bool is_short) {
+    CAPTURE(text);
+    const std::errc status = from_short_decimal(text, value);
+    CHECK(status == (is_short ? std::errc() : std::errc::result_out_of_range));
+    if (!is_short) return;
+    const Rational exact = parse_rational(text);
+    CHECK(value == (std::is_same_v<decltype(value), float> ? to_float(exact, Rounding::Nearest)
+                                                           : to_double(exact, Rounding::Nearest)));
+  };
+  for (const std::string text : {"0", "0.1", ".5", "5.", "1e22", "1.5E-3", "0.000123456", "8.5e+9",
+                                 "9007199254740992e-22", "0e9999", "00.00e-99999999999999"}) {
+    check(text, 0.0, true);
+  }
+  for (const std::string text : {"0.1", "16777216e10", "16777216e-10", "8.5e9", "0.000123456"}) {
+    check(text, 0.0f, true);
+  }
+  for (const std::string text : {"1e23", "9007199254740993", "12345678901234567890123", "1e-23",
+                                 "1e99999999999999999999", "1e-99999999999999999999"}) {
+    check(text, 0.0, false);
+  }
+  for (const std::string text : {"1e11", "16777217", "1e-11"}) check(text, 0.0f, false);
+  check_property("six digits round as the rationals they spell", [&](std::uint32_t bits) {
+    std::array<char, 64> printed{};
+    std::snprintf(printed.data(), printed.size(), "%.6g", (bits >> 8) * std::pow(0.1, bits % 16));
+    check(printed.data(), 0.0, true);
+  });
+}
+
+TEST_CASE("from_short_decimal: what is no decimal, and what is no number") {
+  double value = 0;
+  for (const std::string text :
+       {"", "+", "-1", ".", "+1", "1e", "1e+", "1e+-1", "0x1p3", "1d3", "1,5", " 1", "1 ", "1.2.3",
+        "e5", "1_000", "1/2", "1e5.", "infinit"}) {
+    CAPTURE(text);
+    CHECK(from_short_decimal(text, value) == std::errc::invalid_argument);
+  }
+  for (const std::string text : {"nan", "NaN", "inf", "INF", "Infinity", "nan(0)"}) {
+    CAPTURE(text);
+    CHECK(from_short_decimal(text, value) == std::errc());
+    CHECK_FALSE(std::isfinite(value));
+  }
+}
+
 TEST_CASE("in_quotes: short and printable") {
   CHECK(in_quotes("a\nb\x80") == "'a?b?'");
   CHECK(in_quotes(std::string(100, 'x')) == "'" + std::string(40, 'x') + "...'");

@@ -2,6 +2,7 @@
 // Hexadecimal numbers: by closed form, and against what the C library prints for doubles.
 #include <doctest/doctest.h>
 
+#include <bit>
 #include <cstdio>
 #include <limits>
 
@@ -23,6 +24,28 @@ TEST_CASE("hex float: digits, point and exponent, each of which may be missing")
   CHECK(is_hex_float("0x"));
   CHECK_FALSE(is_hex_float("10"));
   CHECK_FALSE(is_hex_float("-"));
+}
+
+TEST_CASE("hex_float: what glibc's %a prints") {
+  CHECK(hex_float(0.0) == "0x0p+0");
+  CHECK(hex_float(-0.0) == "-0x0p+0");
+  CHECK(hex_float(0.1875) == "0x1.8p-3");
+  CHECK(hex_float(0x1p-1023) == "0x0.8p-1022");
+#ifdef __GLIBC__
+  Random random(11);
+  const auto check = [](double x) {
+    char text[64];
+    std::snprintf(text, sizeof text, "%a", x);
+    CHECK(hex_float(x) == text);
+  };
+  for (int k = 0; k < 2000; ++k) {
+    const std::uint64_t bits = random(), exponent = k % 2 == 0 ? bits >> 52 & 0x7ff : 0;
+    const std::uint64_t cleared = bits >> 12 << (random() % 52);  // zeros at its end
+    const std::uint64_t mantissa = cleared & 0xfffffffffffff;
+    if (exponent != 0x7ff)
+      check(std::bit_cast<double>(bits >> 63 << 63 | exponent << 52 | mantissa));
+  }
+#endif
 }
 
 TEST_CASE("hex float: every double as %a prints it comes back") {

@@ -300,7 +300,7 @@ FAULTS = [
     (STALE, 'reach/children', 'if (parent.low > place.radius() / 2) child.side = parent.side;', 'child.side = parent.side;', 'reach'),
     (SKIP, 'reach/refute', 'if (!(is_center ? cells_.is_outside(place) : cells_.is_outside(y))) return;', '', 'reach'),
     (SKIP, 'reach/visit', '    if (!is_least) return visit_children(met);\n    is_open_ = true;\n', '    if (!is_least) return visit_children(met);\n', 'reach'),
-    (TIE, 'reach/are_near', 'squared <= squared_limit_;', 'squared < squared_limit_;', 'reach'),
+    (TIE, 'reach/are_near_triangle', 'squared <= squared_limit_;', 'squared < squared_limit_;', 'reach'),
     (SKIP, 'reach/consider', 'if (found.squared == 0 || !cells_.is_outside(x)) return false;', '', 'reach'),
     (SKIP, 'reach/common_corners', '  for (const Polygon& face : faces_of(part)) add(cell.clip(face));\n', '', 'reach'),
     (SIGN, 'reach/is_apart', '-hull.towards', 'hull.towards', 'check'),

@@ -50,6 +50,12 @@ TEST_CASE("on_circle: axes and diagonals are exact, mirrored angles are mirrored
   CHECK(on_circle(1, 8).sine == std::sqrt(0.5));
   CHECK(on_circle(1, 6).cosine == 0.5);
   CHECK(on_circle(7, 6).cosine == 0.5);  // around once
+  // Both numbers times a power of two: the same angle. The words of GMP may have 32 bits.
+  constexpr std::uint64_t kScale = std::uint64_t{1} << 33;
+  for (const std::uint64_t k : {1, 2, 3, 4}) {
+    CHECK(on_circle(k * kScale, 5 * kScale).cosine == on_circle(k, 5).cosine);
+    CHECK(on_circle(k * kScale, 5 * kScale).sine == on_circle(k, 5).sine);
+  }
   for (const std::uint64_t n : {3u, 7u, 12u, 1000u}) {
     for (std::uint64_t k = 0; k < n; ++k) {
       CAPTURE(n);

@@ -175,6 +175,17 @@ TEST_CASE("fields: a text of options that makes no sense is refused, and the opt
         "exact_facets: expected one of false, true, found '1'");
 }
 
+TEST_CASE("narrowed: the largest number stands for all beyond it") {
+  constexpr std::uint64_t kFar = std::uint64_t{1} << 32;
+  CHECK(narrowed<std::uint32_t>(kFar - 1) == kFar - 1);
+  CHECK(narrowed<std::uint32_t>(kFar) == kFar - 1);
+  CHECK(narrowed<std::int32_t>(kFar) == std::numeric_limits<std::int32_t>::max());
+  CHECK(narrowed<std::uint64_t>(kFar) == kFar);
+  std::optional<std::uint32_t> count;
+  assign_count(count, 2 * kFar + 7);
+  CHECK(count == kFar - 1);
+}
+
 TEST_CASE("fields: given options override a profile, and only those") {
   GivenFields given;
   for (const BoundField& field : given.bound(promise_fields())) {
