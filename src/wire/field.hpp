@@ -3,6 +3,7 @@
 // texts of options in C, profiles, their schemas and the manual read the same table.
 #pragma once
 #include <algorithm>
+#include <concepts>
 #include <cstdint>
 #include <functional>
 #include <limits>
@@ -33,8 +34,11 @@ struct CountRange {
 /// stands for all beyond it: a machine never holds more.
 template <class Number>
 [[nodiscard]] Number narrowed(std::uint64_t count) {
-  constexpr auto kMost = static_cast<std::uint64_t>(std::numeric_limits<Number>::max());
-  return static_cast<Number>(std::min(count, kMost));
+  if constexpr (std::integral<Number>) {
+    constexpr auto kMost = static_cast<std::uint64_t>(std::numeric_limits<Number>::max());
+    count = std::min(count, kMost);
+  }
+  return static_cast<Number>(count);
 }
 template <class Number>
 void assign_count(Number& target, std::uint64_t count) {
