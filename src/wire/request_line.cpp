@@ -111,6 +111,11 @@ PointSet points_of_request(const json& request, Decimal decimal) {
                         [&](const json& x) { return coordinate_of_json(x, decimal); });
 }
 
+Rational coefficient_of_json(const json& value, Decimal decimal) {
+  const std::string_view text = number_text(value);
+  return is_hex_float(text) ? parse_hex_float(text) : parse_number(text, decimal);
+}
+
 std::optional<double> time_limit_of(const json& request, std::optional<double> limit) {
   constexpr double kLongest = 1e6;
   if (!request.contains("time_limit")) return limit;
