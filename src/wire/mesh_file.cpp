@@ -58,7 +58,7 @@ std::string shape_in_file(const std::string& name, std::string_view bytes) {
     if (kind.mesh) return mesh_text(read_mesh_bytes(bytes, {.format = kind.mesh}));
     return write_json(Json{{"planes", read_halfspaces_bytes(bytes, *kind.halfspaces).halfspaces}});
   } catch (const Error& error) {
-    throw Error(error.code(), name + ": " + error.what(), error.line());
+    throw error.in_file(name);
   }
 }
 
