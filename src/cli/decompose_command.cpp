@@ -12,7 +12,6 @@
 #include "scene/objects.hpp"
 #include "wire/decompose_options.hpp"
 #include "wire/decompose_report.hpp"
-#include "wire/decompose_request.hpp"
 #include "wire/stage_report.hpp"
 #include "wire/written_parts.hpp"
 
@@ -174,7 +173,7 @@ int run_decompose(const DecomposeArguments& given) {
   DecomposeArguments options = given;
   const std::string folder_note = options.files.add_missing_folder();
   options.stdio.require_sensible();
-  if (options.stdio.is_asked) return answer_lines(options.stdio, answer_decompose_request);
+  if (options.stdio.is_asked) return answer_lines(options.stdio, "decompose");
   if (options.input.empty()) {
     throw Error(ErrorCode::InvalidArgument, "name an INPUT, or --stdio");
   }

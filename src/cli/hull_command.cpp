@@ -3,8 +3,10 @@
 #include <memory>
 
 #include "cli/outputs.hpp"
+#include "cli/stdio_loop.hpp"
 #include "convexact/scene.hpp"
 #include "io/json.hpp"
+#include "wire/simplify_options.hpp"
 #include "wire/simplify_report.hpp"
 #include "wire/stage_report.hpp"
 
@@ -28,6 +30,7 @@ struct HullArguments {
   SceneOptions scene;
   OutputOptions output;
   HullRequest request;
+  StdioOptions stdio;
 };
 
 using MeasuredHulls = std::vector<FoundObject<HullResult>>;
@@ -47,18 +50,16 @@ std::string summary_of(const MeasuredHulls& objects, const HullArguments& option
 
 // "volume,area" and the like, or none.
 void take_measures(const std::string& option, const std::string& text, HullRequest& request) {
-  constexpr auto kMeasures =
-      name_table<bool HullRequest::*>({{&HullRequest::volume, "volume"},
-                                       {&HullRequest::area, "area"},
-                                       {&HullRequest::mean_width, "mean-width"},
-                                       {&HullRequest::inertia, "inertia"}});
   request.volume = request.area = request.mean_width = request.inertia = false;
   if (text == "none") return;
-  for (const auto measure : parse_words(option, text, kMeasures, ", or none"))
+  for (const auto measure : parse_words(option, text, kHullMeasureNames, ", or none"))
     request.*measure = true;
 }
 
 int run_hull(const HullArguments& options) {
+  options.stdio.require_sensible();
+  if (options.stdio.is_asked) return answer_lines(options.stdio, "hull");
+  if (options.inputs.empty()) reject_argument("name an INPUT, or --stdio");
   HullRequest request = options.request;
   if (request.exact_volume && !request.volume) {
     throw Error(ErrorCode::InvalidArgument, "--exact-values: --measures leaves the volume out");
@@ -82,6 +83,7 @@ void add_hull_command(Command& program, int& exit_code) {
       *program.add_subcommand("hull", "the exact hull: counts, volume, area, mean width");
   command.footer(kHullFooter);
   add_input_argument(command, options->inputs);
+  command.get_option("INPUT")->required(false);
   add_output_options(command, options->output);
   add_scene_options(command, options->scene);
   add_count(command, "--digits", options->request.digits, {1, 10000},
@@ -94,6 +96,7 @@ void add_hull_command(Command& program, int& exit_code) {
       ->default_str("volume,area,mean-width");
   command.add_flag("--exact-values", options->request.exact_volume,
                    "with --json: the volume as a fraction too");
+  add_stdio_options(command, options->stdio, "one hull");
   finish_command(command, options, exit_code, run_hull);
   add_verbose_option(command, options->global);
 }

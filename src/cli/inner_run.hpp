@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "cli/outputs.hpp"
+#include "cli/stdio_loop.hpp"
 #include "convexact/simplify.hpp"
 #include "wire/field.hpp"
 
@@ -22,6 +23,7 @@ struct SimplifyArguments {
   std::vector<std::string> keep;
   bool exact_values = false;
   ImplicitOptions implicit;
+  StdioOptions stdio;
 };
 
 void add_inner_options(Command& command, SimplifyArguments& options);

@@ -3,100 +3,19 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <set>
 
 #include "convexact/error.hpp"
 #include "convexact/io.hpp"
 #include "convexact/stored.hpp"
 #include "io/json.hpp"
 #include "io/used_points.hpp"
-#include "pages/picture.hpp"
+#include "pages/solids_picture.hpp"
 #include "proof/proof.hpp"
 #include "wire/decompose_options.hpp"
-#include "wire/simplify_report.hpp"
+#include "wire/result_files.hpp"
 #include "wire/trace_json.hpp"
 
 namespace convexact::cli {
-namespace {
-
-bool is_binary32_only(const std::string& path) {
-  const auto format = mesh_format_of_path(path);
-  return format && holds_binary32_only(*format);
-}
-
-Precision precision_of(int bits) { return bits == 32 ? Precision::Binary32 : Precision::Binary64; }
-
-const PointSet* points_of(const SceneObject& object) {
-  return std::get_if<PointSet>(&object.shape);
-}
-
-// The file's name without its folder and without the part that may follow.
-std::string file_of(const SceneObject& object) {
-  std::string path = object.name;
-  const std::string part = ": " + object.part;
-  if (path.ends_with(part)) path.resize(path.size() - part.size());
-  return std::filesystem::path(path).filename().string();
-}
-
-// A scan has many points that no face uses; over its surface they would look like cracks.
-PictureLayer points_of_no_face(const PictureLayer& input) {
-  PictureLayer loose{.name = "points that no face uses", .color = "#009e73", .shown = false};
-  const std::vector<bool> is_used = used_points(input.points.size(), input.polygons);
-  for (std::size_t k = 0; k < is_used.size(); ++k) {
-    if (!is_used[k]) loose.points.push_back(input.points[k]);
-  }
-  return loose;
-}
-
-// Of all objects together.
-std::string growth_of(const std::vector<OutputObject>& objects) {
-  std::optional<std::array<Enclosure, 2>> sum;
-  for (const OutputObject& object : objects) {
-    if (!object.volumes) return "";
-    const auto& [before, after] = *object.volumes;
-    sum = sum ? std::array{(*sum)[0] + before, (*sum)[1] + after} : object.volumes;
-  }
-  if (!sum) return "";
-  const bool is_changed =
-      std::any_of(objects.begin(), objects.end(),
-                  [](const OutputObject& object) { return object.is_simplified; });
-  return is_changed ? "; volume " + growth_percent((*sum)[0], (*sum)[1]) : "; nothing was removed";
-}
-
-std::string picture_bytes(const std::vector<OutputObject>& objects) {
-  PictureLayer input{.name = "input", .color = "#e69f00"};
-  PictureLayer solids{
-      .name = "enclosing solid", .color = "#56b4e9", .opacity = 0.25, .edges = true, .right = true};
-  PictureLayer kept{.name = "kept faces", .color = "#d55e00", .edges = true, .right = true};
-  std::set<std::string> files;
-  for (const OutputObject& object : objects) {
-    files.insert(file_of(object.source));
-    if (const PointSet* points = points_of(object.source)) {
-      input.add(points->doubles(), object.source.polygons);
-    }
-    solids.add_to_pick(object.solid.exact,
-                       objects.size() > 1 ? as_utf8(object.source.name) : "enclosing solid");
-    for (const std::size_t plane : object.kept) kept.add_facet(object.solid.exact, plane);
-  }
-  Picture picture;
-  picture.title = as_utf8(file_of(objects[0].source));
-  if (files.size() > 1) picture.title += " and " + std::to_string(files.size() - 1) + " more";
-  picture.answer =
-      with_separators(solids.polygons.size()) + " halfspaces hold " +
-      (objects.size() > 1 ? counted(objects.size(), "object", "objects") : "every point") +
-      growth_of(objects);
-  if (!input.points.empty()) {
-    PictureLayer loose = points_of_no_face(input);
-    const bool is_surface = !input.polygons.empty();
-    picture.layers.push_back(std::move(input));
-    if (is_surface && !loose.points.empty()) picture.layers.push_back(std::move(loose));
-  }
-  if (!kept.polygons.empty()) picture.layers.push_back(std::move(kept));
-  picture.layers.push_back(std::move(solids));
-  return picture_html(picture);
-}
-
-}  // namespace
 
 std::vector<std::string> OutputOptions::all_paths() const {
   std::vector<std::string> paths = results;
@@ -107,18 +26,9 @@ std::vector<std::string> OutputOptions::all_paths() const {
 }
 
 StoreRequest OutputOptions::store_request() const {
-  StoreRequest request;
-  const bool needs_32 = std::any_of(results.begin(), results.end(), is_binary32_only);
-  for (const std::string& path : results) {
-    if (mesh_format_of_path(path)) {
-      request.mesh = precision_of(precision != 0 ? precision : needs_32 ? 32 : 64);
-    } else if (precision != 0) {
-      request.planes = precision_of(precision);
-    }
-  }
-  // A proof has planes in a format, whether or not they are written to a file.
-  if (!proof.empty() && precision != 0) request.planes = precision_of(precision);
-  return request;
+  std::vector<std::string> stored = results;
+  if (!proof.empty()) stored.push_back("run.proof");
+  return store_request_for(stored, precision);
 }
 
 void OutputOptions::require_sensible() const {
@@ -240,7 +150,9 @@ OutputFiles output_files(const std::vector<OutputObject>& objects, const OutputO
   for (const std::string& path : options.results) {
     files.emplace_back(path, proven_bytes(solids, path));
   }
-  if (!options.picture.empty()) files.emplace_back(options.picture, picture_bytes(objects));
+  if (!options.picture.empty())
+    files.emplace_back(options.picture,
+                       picture_html(solids_picture({objects.begin(), objects.end()})));
   if (!options.trace.empty()) {
     files.emplace_back(options.trace, write_trace_json(*objects[0].run));
   }

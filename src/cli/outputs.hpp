@@ -15,6 +15,7 @@
 #include "convexact/scene.hpp"
 #include "convexact/simplify.hpp"
 #include "io/json_document.hpp"
+#include "pages/solids_picture.hpp"
 #include "solid/stage_log.hpp"
 #include "wire/stage_report.hpp"
 
@@ -104,13 +105,7 @@ void add_points_option(Command& command, MeshPoints& points);
 void add_scene_options(Command& command, SceneOptions& options);
 
 /// One object and the solid that encloses it.
-struct OutputObject {
-  const SceneObject& source;
-  const Stored& solid;
-  std::vector<std::size_t> kept = {};  ///< Planes of the solid that were to be kept.
-  /// The volumes of the input's hull and of the solid, where a run removed halfspaces.
-  std::optional<std::array<Enclosure, 2>> volumes = {};
-  bool is_simplified = false;       ///< Whether it removed any.
+struct OutputObject : DrawnSolid {
   const Run* run = nullptr;         ///< Set wherever a trace or a proof may be asked for.
   const RunStart* start = nullptr;  ///< Set wherever a proof may be asked for.
 };
@@ -158,11 +153,8 @@ int run_on_scene(const Arguments& options, Find&& find, Answer&& answer) {
   for (FoundObject<Result>& object : objects) {
     Result& result = object.result;
     result.redundant = to_typed_rows(std::move(result.redundant), object.source.rows);
-    OutputObject& output = outputs.emplace_back(OutputObject{object.source, result.solid});
+    OutputObject& output = outputs.emplace_back(OutputObject{drawn(object.source, result)});
     if constexpr (requires { result.run; }) {
-      output.volumes = {result.input_volume.bounds, result.output_volume.bounds};
-      output.is_simplified = result.steps > 0;
-      for (const auto& kept : result.kept) output.kept.push_back(kept.plane);
       if (result.run) output.run = &*result.run;
       if (result.start) output.start = &*result.start;
     }

@@ -175,6 +175,8 @@ void require_plain(const SimplifyArguments& options) {
 }
 
 int run_simplify(const SimplifyArguments& options) {
+  options.stdio.require_sensible();
+  if (options.stdio.is_asked) return answer_lines(options.stdio, "simplify");
   require_plain(options);
   require_inner(options);
   if (options.inner) return run_inner(options);
@@ -212,6 +214,7 @@ void add_simplify_command(Command& program, int& exit_code) {
                    "with --json: volumes as fractions too");
   add_inner_options(command, *options);
   add_implicit_options(command, options->implicit);
+  add_stdio_options(command, options->stdio, "one result");
   finish_command(command, options, exit_code, run_simplify);
   add_verbose_option(command, options->global);
   command.show_first({"--faces", "--max-growth", "--cost", "--keep", "--output", "--picture",

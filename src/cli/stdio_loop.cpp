@@ -4,6 +4,8 @@
 #include <csignal>
 #include <iostream>
 
+#include "pages/answers.hpp"
+
 namespace convexact::cli {
 
 void add_stdio_options(Command& command, StdioOptions& options, const std::string& answers) {
@@ -31,9 +33,7 @@ void StdioOptions::require_sensible() const {
   }
 }
 
-int answer_lines(
-    const StdioOptions& options,
-    const std::function<std::string(std::string_view, std::optional<double>)>& answer) {
+int answer_lines(const StdioOptions& options, std::string_view kind) {
   // The process mostly waits for a line, and it writes no files that could remain half-written.
   std::signal(SIGINT, SIG_DFL);
   std::signal(SIGTERM, SIG_DFL);
@@ -42,7 +42,7 @@ int answer_lines(
                                           // input
   for (std::string line; std::getline(std::cin, line);) {
     const bool is_blank = line.find_first_not_of(" \t\r") == std::string::npos;
-    if (!is_blank) print(answer(line, options.time_limit) + "\n");
+    if (!is_blank) print(answer_line_of(kind, line, options.time_limit) + "\n");
   }
   return 0;
 }

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 // stdio_loop.hpp - subcommands that answer requests on standard input, a line of JSON each.
 #pragma once
-#include <functional>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -25,9 +24,7 @@ void add_stdio_options(Command& command, StdioOptions& options, const std::strin
 
 /// Answers each line of standard input with a line on standard output, at once, until the end of
 /// the input; blank lines have no answer. Errors are in the answers, so the exit code is 0.
-/// @param answer  From a line and the limit for it to a line, both without their ends.
-int answer_lines(const StdioOptions& options,
-                 const std::function<std::string(std::string_view line,
-                                                 std::optional<double> time_limit)>& answer);
+/// @param kind  Of the requests, as answer_line_of().
+int answer_lines(const StdioOptions& options, std::string_view kind);
 
 }  // namespace convexact::cli

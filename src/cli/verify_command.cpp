@@ -15,10 +15,10 @@
 #include "convexact/scene.hpp"
 #include "convexact/verify.hpp"
 #include "oracle/parts/scene_verdict.hpp"
+#include "pages/answers.hpp"
 #include "pages/verdict_picture.hpp"
 #include "scene/objects.hpp"
 #include "wire/scene_report.hpp"
-#include "wire/stdio_request.hpp"
 #include "wire/verdict_report.hpp"
 
 namespace convexact::cli {
@@ -192,13 +192,8 @@ std::string file_name(const std::string& path) {
 
 // In one line, for a picture: the first claim that does not hold.
 std::string answer_of(const VerifyArguments& options, Asks asks, const Verdict& verdict) {
-  std::string text = file_name(options.candidate) + relation_of(asks) + file_name(options.input);
-  for (const Claim& claim : verdict.claims) {
-    if (claim.status == Status::Violated || claim.status == Status::Undecided) {
-      return text + ": " + claim.sentence;
-    }
-  }
-  return text + (verdict.holds() ? ": every claim holds" : ": not all claims hold");
+  return file_name(options.candidate) + relation_of(asks) + file_name(options.input) + ": " +
+         first_sentence(verdict);
 }
 
 int run_verify_candidate(const VerifyArguments& options) {
@@ -295,7 +290,7 @@ void require_meaning(const VerifyArguments& options, Mode mode) {
 
 int run_verify(const VerifyArguments& options) {
   options.stdio.require_sensible();
-  if (options.stdio.is_asked) return answer_lines(options.stdio, answer_request);
+  if (options.stdio.is_asked) return answer_lines(options.stdio, "verify");
   const bool has_candidate = !options.candidate.empty(), has_trace = !options.trace.trace.empty();
   if (options.input.empty() || has_candidate == has_trace) {
     throw Error(ErrorCode::InvalidArgument,

@@ -95,6 +95,8 @@ void read_mesh_objects(const std::string& path, const std::string& bytes, MeshFo
   for (SceneObject& part : parts_of(mesh, file)) objects.push_back(std::move(part));
 }
 
+}  // namespace
+
 SceneObject halfspace_object(const std::string& path, HalfspaceList list) {
   if (list.impossible_row) {
     throw Error(ErrorCode::NoInterior, "the input is empty: halfspace " +
@@ -108,8 +110,6 @@ SceneObject halfspace_object(const std::string& path, HalfspaceList list) {
           .polygons = {},
           .rows = std::move(rows)};
 }
-
-}  // namespace
 
 std::size_t objects_in(const Mesh& mesh) {
   return static_cast<std::size_t>(std::count_if(mesh.parts.begin(), mesh.parts.end(), is_object));

@@ -17,6 +17,9 @@ namespace convexact {
 /// @throws Error InvalidArgument if there is none.
 [[nodiscard]] std::vector<SceneObject> parts_of(const Mesh& mesh, const std::string& file);
 
+/// The object of a list of halfspaces. @throws Error NoInterior if no point satisfies some row.
+[[nodiscard]] SceneObject halfspace_object(const std::string& path, HalfspaceList list);
+
 /// By point of the object, whether a face uses it; empty if it has no faces.
 [[nodiscard]] std::vector<bool> used_flags(const SceneObject& object);
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <atomic>
 #include <exception>
+#include <system_error>
 #include <thread>
 #include <vector>
 
@@ -30,11 +31,14 @@ void for_each_in_parallel(std::size_t count, std::size_t jobs,
       finished(++done);
     }
   };
-  {
-    std::vector<std::jthread> threads;
+  std::vector<std::thread> threads;
+  try {
     for (std::size_t k = 1; k < std::min(jobs, count); ++k) threads.emplace_back(run);
-    run();
+  } catch (const std::system_error&) {
+    // A system without threads, or one that gives no more of them: those that there are do it all.
   }
+  run();
+  for (std::thread& thread : threads) thread.join();
   for (const std::exception_ptr& error : errors) {
     if (error) std::rethrow_exception(error);
   }

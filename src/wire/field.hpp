@@ -32,17 +32,17 @@ struct CountRange {
 
 /// A count as a number that may have fewer bits, as std::size_t on 32-bit machines. Its largest one
 /// stands for all beyond it: a machine never holds more.
-template <class Number>
+template <std::integral Number>
 [[nodiscard]] Number narrowed(std::uint64_t count) {
-  if constexpr (std::integral<Number>) {
-    constexpr auto kMost = static_cast<std::uint64_t>(std::numeric_limits<Number>::max());
-    count = std::min(count, kMost);
-  }
-  return static_cast<Number>(count);
+  constexpr auto kMost = static_cast<std::uint64_t>(std::numeric_limits<Number>::max());
+  return static_cast<Number>(std::min(count, kMost));
 }
-template <class Number>
+template <std::integral Number>
 void assign_count(Number& target, std::uint64_t count) {
   target = narrowed<Number>(count);
+}
+inline void assign_count(double& target, std::uint64_t count) {
+  target = static_cast<double>(count);
 }
 template <class Number>
 void assign_count(std::optional<Number>& target, std::uint64_t count) {

@@ -9,6 +9,7 @@
 
 #include "io/json.hpp"
 #include "io/json_text.hpp"
+#include "number/text.hpp"
 #include "wire/field.hpp"
 #include "wire/json_mesh.hpp"
 #include "wire/stage_report.hpp"
@@ -109,6 +110,11 @@ Decimal decimal_of(const json& request) {
 PointSet points_of_request(const json& request, Decimal decimal) {
   return points_of_json(request["points"], "point",
                         [&](const json& x) { return coordinate_of_json(x, decimal); });
+}
+
+Rational coefficient_of_json(const json& value, Decimal decimal) {
+  const std::string_view text = number_text(value);
+  return is_hex_float(text) ? parse_hex_float(text) : parse_number(text, decimal);
 }
 
 std::optional<double> time_limit_of(const json& request, std::optional<double> limit) {

@@ -64,6 +64,10 @@ std::optional<Value> choice_in(const nlohmann::json& request, const char* key,
 /// The points of a request. @throws Error as coordinate_of_json() and points_of_json().
 [[nodiscard]] PointSet points_of_request(const nlohmann::json& request, Decimal decimal);
 
+/// A number of a plane, as in a list of halfspaces: integers, fractions and hexadecimal floats are
+/// exact. @throws Error Malformed.
+[[nodiscard]] Rational coefficient_of_json(const nlohmann::json& value, Decimal decimal);
+
 /// The shorter one of the limits of the caller and of the request, in seconds.
 /// @throws Error Malformed.
 [[nodiscard]] std::optional<double> time_limit_of(const nlohmann::json& request,

@@ -16,6 +16,13 @@ inline constexpr auto kSearchKindNames = name_table<SearchKind>({{SearchKind::No
                                                                  {SearchKind::Local, "local"},
                                                                  {SearchKind::Optimal, "optimal"}});
 
+/// What `hull` measures.
+inline constexpr auto kHullMeasureNames =
+    name_table<bool HullRequest::*>({{&HullRequest::volume, "volume"},
+                                     {&HullRequest::area, "area"},
+                                     {&HullRequest::mean_width, "mean-width"},
+                                     {&HullRequest::inertia, "inertia"}});
+
 /// The precision up to which mean widths are compared, in bits.
 inline constexpr CountRange kTieBits{128, 1 << 20};
 

@@ -23,12 +23,6 @@ namespace {
 
 using nlohmann::json;
 
-// As in a list of halfspaces: integers and fractions are exact.
-Rational coefficient(const json& value, Decimal decimal) {
-  const std::string_view text = number_text(value);
-  return is_hex_float(text) ? parse_hex_float(text) : parse_number(text, decimal);
-}
-
 // The oracle reports errors in the numbers of a candidate.
 Candidate candidate(const json& object, Decimal decimal) {
   require_known_keys(object, {"planes", "vertices", "faces"}, "the candidate");
@@ -40,7 +34,7 @@ Candidate candidate(const json& object, Decimal decimal) {
   try {
     if (object.contains("planes")) {
       return halfspaces_of_json(object["planes"],
-                                [&](const json& x) { return coefficient(x, decimal); });
+                                [&](const json& x) { return coefficient_of_json(x, decimal); });
     }
     return mesh_of_json(object, decimal);
   } catch (const Error& error) {
@@ -123,7 +117,18 @@ Json answer_about_parts(const json& request, PointSet points, Decimal decimal,
   return parts_verdict_json(verdict);
 }
 
-Json answer(const json& request, std::optional<double> time_limit) {
+// The input as it is drawn, from what verify() has read.
+SceneObject drawn_input(const json& request, PointSet points) {
+  const std::string name = word_in(request, "name").value_or("input");
+  SceneObject input{.name = name, .part = name, .shape = PointSet(), .polygons = {}};
+  if (request.contains("triangles")) {
+    input.polygons = polygons_of_json(request["triangles"], points.size());
+  }
+  input.shape = std::move(points);
+  return input;
+}
+
+Json answer(const json& request, std::optional<double> time_limit, const VerdictPicture& picture) {
   VerifyRequest unused;
   PartsRequest of_parts;
   BoundFields fields = bound_fields(verify_fields(), unused);
@@ -131,7 +136,7 @@ Json answer(const json& request, std::optional<double> time_limit) {
     fields.push_back(std::move(field));
   require_known_keys(request,
                      {"id", "points", "candidate", "claims", "decimal", "numbers", "inner",
-                      "time_limit", "triangles"},
+                      "time_limit", "triangles", "name", "picture"},
                      "the request", fields);
   if (!request.contains("points") || !request.contains("candidate")) {
     reject_request("a request with 'points' and 'candidate'");
@@ -140,7 +145,10 @@ Json answer(const json& request, std::optional<double> time_limit) {
   VerifyRequest asked = questions(request);
   PointSet input = points_of_request(request, decimal);
   const std::optional<double> seconds = time_limit_of(request, time_limit);
+  const bool is_drawn = flag_in(request, "picture").value_or(false);
+  if (is_drawn && !picture) reject_request("no picture here");
   if (request["candidate"].is_object() && request["candidate"].contains("parts")) {
+    if (is_drawn) reject_request("picture with a single solid only");
     return answer_about_parts(request, std::move(input), decimal, seconds);
   }
   for (const Field<PartsRequest>& field : parts_fields()) {
@@ -157,16 +165,21 @@ Json answer(const json& request, std::optional<double> time_limit) {
   });
   if (auto* verdict = std::get_if<Verdict>(&outcome)) {
     std::erase_if(verdict->claims, [](const Claim& c) { return c.status == Status::NotAsked; });
-    return verdict_json(*verdict);
+    Json answer = verdict_json(*verdict);
+    if (is_drawn)
+      answer["picture"] = picture(drawn_input(request, std::move(input)), judged, *verdict);
+    return answer;
   }
   return not_solid_answer(std::get<NotSolid>(outcome));
 }
 
 }  // namespace
 
-std::string answer_request(std::string_view line, std::optional<double> time_limit) {
-  return answer_line(line, {"id", "points", "planes", "vertices"},
-                     [&](const json& request) { return write_json(answer(request, time_limit)); });
+std::string answer_request(std::string_view line, std::optional<double> time_limit,
+                           const VerdictPicture& picture) {
+  return answer_line(line, {"id", "points", "planes", "vertices"}, [&](const json& request) {
+    return write_json(answer(request, time_limit, picture));
+  });
 }
 
 }  // namespace convexact

@@ -13,6 +13,7 @@
 #include "wire/field.hpp"
 #include "wire/judge_fields.hpp"
 #include "wire/request_line.hpp"
+#include "wire/simplify_options.hpp"
 
 using namespace convexact;
 using nlohmann::json;
@@ -82,6 +83,10 @@ TEST_CASE("fields: stdio_request.schema.json says the same") {
   properties["tightness"].erase("default");
   check_properties(verify_fields(), properties);
   check_properties(parts_fields(), properties);
+}
+
+TEST_CASE("fields: solid_request.schema.json says the same") {
+  check_properties(simplify_fields(), properties_of_request("solid_request"));
 }
 
 TEST_CASE("fields: profiles.schema.json has the promises, and nothing else but a title") {

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: MIT
+// mesh_file.hpp - the shape in a file as requests have it.
+#pragma once
+#include <string>
+#include <string_view>
+
+namespace convexact {
+
+/// {"points": rows, "triangles": rows, "notes": texts}, or {"planes": rows} for halfspaces: what
+/// requests (solid_request.hpp) take, on one line. Read again, the numbers are the same.
+/// @param name  Of the file: its extension says the format, as for the command line.
+/// @throws Error as read_mesh_bytes() and read_halfspaces_bytes(), with the name in front;
+///               Unreadable for a format that is not read.
+[[nodiscard]] std::string shape_in_file(const std::string& name, std::string_view bytes);
+
+}  // namespace convexact

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: MIT
+// solid_request.hpp - a shape whose hull is asked for, or that is to be enclosed in few halfspaces,
+// and the answer, each a line of JSON.
+#pragma once
+#include <functional>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "convexact/scene.hpp"
+#include "convexact/simplify.hpp"
+
+namespace convexact {
+
+/// Makes the page that a request with `picture` gets beside the answer.
+template <class Result>
+using PictureOf = std::function<std::string(const SceneObject& input, const Result& result)>;
+
+/// Answers a request (docs/schema/solid_request.schema.json) with one line of JSON, without a line
+/// end: the request's `id`, and what `convexact hull --json` prints but for the stages, or `error`;
+/// under `files` the bytes of each file that is asked for, proven as those of the command line; and
+/// under `picture` a page. Only std::bad_alloc is thrown.
+///
+/// The shape is `points`, read as in requests to the oracle (stdio_request.hpp), or `planes`, read
+/// as its candidates are. `triangles` are drawn, and count for nothing else.
+/// @param time_limit  As in requests to the oracle.
+/// @param picture     Null: a request for a picture is an error.
+/// @par Cost          Reading, about 20 ns a byte, and measure_hull().
+[[nodiscard]] std::string answer_hull_request(std::string_view line,
+                                              std::optional<double> time_limit = {},
+                                              const PictureOf<HullResult>& picture = {});
+
+/// The same for `convexact simplify --json`: each option of simplify_fields() by its name there.
+/// @par Cost  Reading, about 20 ns a byte, and simplify().
+[[nodiscard]] std::string answer_simplify_request(std::string_view line,
+                                                  std::optional<double> time_limit = {},
+                                                  const PictureOf<SimplifyResult>& picture = {});
+
+}  // namespace convexact

@@ -1,0 +1,203 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: MIT
+"""page_test.py [SCREENSHOTS] - the page that ./dev web made, from disk, in headless Chromium: files are dropped on it,
+verdicts read, long work cancelled, broken and large files refused in words; by keys alone, on a phone's width; and no
+connection can be opened. Writes screenshots into the folder, if one is named."""
+import json
+import pathlib
+import re
+import sys
+import tempfile
+import time
+
+HERE = pathlib.Path(__file__).resolve().parent
+sys.path.insert(0, str(HERE.parent / "report"))
+import chromium  # noqa: E402
+
+PAGE = HERE.parent.parent / "build" / "web" / "page" / "index.html"
+CUBE = "".join(f"v {k & 1} {k >> 1 & 1} {k >> 2}\n" for k in range(8)) + (
+    "f 1 3 4 2\nf 5 6 8 7\nf 1 2 6 5\nf 3 7 8 4\nf 1 5 7 3\nf 2 4 8 6\n")
+FIRST = 'document.getElementById("first").textContent'
+# Drops files with such names and texts on the page.
+DROP = """(files => {
+  const data = new DataTransfer();
+  for (const [name, text] of files) data.items.add(new File([text], name));
+  document.body.dispatchEvent(new DragEvent("drop", {dataTransfer: data, bubbles: true, cancelable: true}));
+})"""
+
+
+def wait_for(page, condition, seconds=60):
+    end = time.monotonic() + seconds
+    while not page.evaluate(condition):
+        assert time.monotonic() < end, f"{condition} within {seconds} s; the page says: {page.evaluate(FIRST)}"
+        time.sleep(0.05)
+
+
+def wait_for_sentence(page, pattern, seconds=60):
+    wait_for(page, f"/{pattern}/.test({FIRST})", seconds)
+    wait_for(page, 'document.getElementById("work").hidden', seconds)
+    return page.evaluate(FIRST)
+
+
+def drop(page, *files):
+    page.evaluate(f"{DROP}({json.dumps(files)})")
+
+
+def press(page, key, code, text=""):
+    page.call("Input.dispatchKeyEvent", type="keyDown", key=key, code=key, windowsVirtualKeyCode=code, text=text)
+    page.call("Input.dispatchKeyEvent", type="keyUp", key=key, code=key, windowsVirtualKeyCode=code)
+
+
+def rows(page):
+    return dict(page.evaluate('[...document.querySelectorAll("#numbers tr")].map(r => [...r.cells].map(c => c.textContent))'))
+
+
+def saved(page, name):
+    """The file of a button under Save, as it would be downloaded."""
+    return page.evaluate(f"""new Promise(done => {{
+      const make = URL.createObjectURL;
+      URL.createObjectURL = blob => {{ blob.text().then(done); URL.createObjectURL = make; return "#"; }};
+      [...document.querySelectorAll("#downloads button")].find(b => b.textContent === {json.dumps(name)}).click();
+    }})""")
+
+
+def check_hull(page):
+    drop(page, ["cube.obj", CUBE])
+    assert wait_for_sentence(page, "^cube.obj") == "cube.obj: a hull of 6 facets and 8 vertices"
+    found = rows(page)
+    assert (found["volume"], found["area"], found["mean width"], found["edges"]) == ("1", "6", "1.500000000", "12"), found
+    mesh = saved(page, "cube-hull.obj")
+    assert mesh.count("\nv ") + mesh.startswith("v ") == 8 and len(re.findall("^f ", mesh, re.M)) == 6, mesh
+    # The picture is in its frame, and its scripts run there.
+    wait_for(page, 'document.getElementById("picture").srcdoc.startsWith("<!DOCTYPE html>")')
+
+
+def check_verdict(page, screenshots):
+    drop(page, ["seven.xyz", "\n".join(line[2:] for line in CUBE.splitlines()[:7])])
+    sentence = wait_for_sentence(page, "^seven.xyz is")
+    assert sentence.startswith("seven.xyz is not the hull of cube.obj: "), sentence
+    assert page.evaluate('document.getElementById("first").className') == "bad"
+    size = page.evaluate('parseFloat(getComputedStyle(document.getElementById("first")).fontSize)')
+    assert size >= 1.5 * page.evaluate("parseFloat(getComputedStyle(document.body).fontSize)")
+    assert rows(page)["contains-input"].startswith("violated: "), rows(page)
+    if screenshots:
+        time.sleep(2)
+        page.screenshot(screenshots / "verdict.png", whole=False)
+    drop(page, ["same.obj", CUBE])
+    assert wait_for_sentence(page, "^same.obj is") == "same.obj is the hull of cube.obj: every claim holds"
+
+
+def check_enclosure(page, screenshots):
+    page.evaluate('document.querySelector("[data-example=ball]").click()')
+    wait_for_sentence(page, "^ball: a hull")
+    page.evaluate("""(slider => { slider.value = 12; for (const type of ["input", "change"]) slider.dispatchEvent(new Event(type)); })(document.getElementById("faces"))""")
+    assert re.fullmatch(r"12 halfspaces hold every point; the volume grows by [\d.]+%", wait_for_sentence(page, "^12 half"))
+    assert len(json.loads(saved(page, "ball-12.json"))["halfspaces"]) == 12
+    assert saved(page, "ball-12.proof").startswith("convexact-proof")
+    if screenshots:
+        time.sleep(2)
+        page.screenshot(screenshots / "enclosure.png", whole=False)
+    page.evaluate('document.querySelector("[data-example=wrong]").click()')
+    wait_for_sentence(page, "^a hull that misses a point is not the hull of ball")
+
+
+def check_parts(page, screenshots):
+    page.evaluate('document.querySelector("[data-example=stairs]").click()')
+    wait_for_sentence(page, "^stairs: a hull")
+    page.evaluate('document.querySelector("#decompose button").click()')
+    assert wait_for_sentence(page, "convex parts") == "3 convex parts hold stairs"
+    assert len(re.findall("^o ", saved(page, "stairs-parts.obj"), re.M)) == 3
+    if screenshots:
+        time.sleep(2)
+        page.screenshot(screenshots / "parts.png", whole=False)
+
+
+def check_faults(page):
+    drop(page, ["broken.obj", "v 0 0 0\nv 1 2 x\n"])
+    assert wait_for_sentence(page, "^broken") == "broken.obj:2: expected a number, found 'x'"
+    assert page.evaluate('document.getElementById("first").className') == "bad"
+    drop(page, ["flat.xyz", "0 0 0\n1 0 0\n0 1 0\n1 1 0\n"], ["any.xyz", "0 0 0\n"])
+    wait_for_sentence(page, "(flat|plane|volume)")
+
+
+def check_cancel(page):
+    """Points on a paraboloid, all of them extreme, for the exact hull: seconds of work, which a click ends at once."""
+    page.evaluate("""(() => {
+      let text = "";
+      for (let x = -150; x < 150; ++x) for (let y = -150; y < 150; ++y) text += `${x} ${y} ${x * x + y * y}\\n`;
+      (%s)([["large.xyz", text], ["any.xyz", "0 0 0"]]);
+    })()""" % DROP)
+    wait_for(page, '!document.getElementById("work").hidden')
+    time.sleep(1)
+    start = time.monotonic()
+    page.evaluate('document.getElementById("cancel").click()')
+    assert wait_for_sentence(page, "^cancelled") == "cancelled"
+    assert time.monotonic() - start < 5
+    wait_for(page, 'document.getElementById("work").hidden')
+
+
+def check_large(page):
+    """100 MB of text that is a file of nothing, and of a cloud: words, or an answer; the page goes on."""
+    page.evaluate("""(() => {
+      const line = "0.1234567890 0.2345678901 0.3456789012\\n";
+      (%s)([["large.obj", "x".repeat(100e6)], ["any.xyz", "0 0 0"]]);
+    })()""" % DROP)
+    wait_for_sentence(page, "large.obj", 120)
+
+
+def check_keys():
+    page = chromium.Page(PAGE.as_uri())
+    # From the beginning of the page to the first example, by tabs alone; then Enter.
+    for _ in range(10):
+        press(page, "Tab", 9)
+        if page.evaluate("document.activeElement.dataset.example") == "ball":
+            break
+    press(page, "Enter", 13, "\r")
+    wait_for_sentence(page, "^ball: a hull")
+    assert page.complaints == [], page.complaints
+    page.close()
+
+
+def check_phone(screenshots):
+    page = chromium.Page(PAGE.as_uri(), width=375, height=700)
+    page.evaluate('document.querySelector("[data-example=stairs]").click()')
+    wait_for_sentence(page, "^stairs: a hull")
+    assert page.evaluate("document.documentElement.scrollWidth") <= 375
+    if screenshots:
+        time.sleep(2)
+        page.screenshot(screenshots / "phone.png")
+    page.close()
+
+
+def check_no_connection(page):
+    policy = page.evaluate('document.querySelector("meta[http-equiv]").content')
+    assert policy.startswith("default-src 'none'") and "//" not in policy and "*" not in policy, policy
+    assert page.evaluate('fetch("https://example.org/").then(() => "sent", () => "refused")') == "refused"
+    assert any("Content Security Policy" in text for text in page.complaints), page.complaints
+
+
+def main():
+    if not PAGE.is_file():
+        print("skipped: no build/web, ./dev web makes it")
+        return chromium.SKIPPED
+    if chromium.is_missing():
+        return chromium.SKIPPED
+    screenshots = pathlib.Path(sys.argv[1]) if len(sys.argv) > 1 else None
+    page = chromium.Page(PAGE.as_uri(), graphics=chromium.SOFTWARE_WEBGL if screenshots else chromium.NO_WEBGL)
+    check_hull(page)
+    check_verdict(page, screenshots)
+    check_enclosure(page, screenshots)
+    check_parts(page, screenshots)
+    assert page.complaints == [], page.complaints
+    check_faults(page)
+    check_cancel(page)
+    check_large(page)
+    check_keys()
+    check_phone(screenshots)
+    check_no_connection(page)
+    print("the page: hull, verdict, enclosure, parts, faults, cancel, a file of 100 MB, keys, a phone; no connection")
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: MIT
+// same_bytes_test.mjs PROGRAM WEB - every answer of the module is that of the native program, byte for byte: on the
+// shipped meshes for every kind of request, and on the conformance vectors.
+import assert from "node:assert/strict";
+import {spawnSync} from "node:child_process";
+import {readdirSync} from "node:fs";
+import {data, folder, program, startedModule, vectors} from "./support.mjs";
+
+const module = await startedModule();
+
+// A shape as a request spells it.
+const shape = name => JSON.parse(module.read(name, data(`data/${name}`)));
+const requests = {hull: [], simplify: [], verify: [], decompose: []};
+const ask = (kind, request) => requests[kind].push(JSON.stringify({id: requests[kind].length, ...request}));
+
+for (const name of ["bunny.obj", "spot.obj", "teapot.obj"]) {
+  const {points, triangles} = shape(name);
+  ask("hull", {points, triangles, name, picture: true, files: ["a.obj", "a.ply", "a.off", "a.json", "a.ine", "a.txt"], exact_values: true});
+  ask("hull", {points, measures: ["inertia", "volume"], digits: 60, precision: 32, files: ["a.obj", "a.json"]});
+  for (const cost of ["volume", "area", "mean-width"]) {
+    ask("simplify", {points, faces: cost === "volume" ? 18 : 120, cost, files: ["a.obj", "a.json"]});
+  }
+  ask("simplify", {points, triangles, name, max_growth: "5%", picture: true, files: ["a.proof"], verify: "full", exact_values: true});
+  const enclosure = JSON.parse(answered("simplify", JSON.stringify({points, faces: 18}))).output.planes;
+  for (const asks of ["enclosure", "hull", "inner"]) ask("verify", {points, triangles, candidate: {planes: enclosure}, asks, tightness: true});
+  ask("verify", {points, triangles, name, picture: true, candidate: {vertices: points.slice(9), faces: triangles.filter(t => Math.min(...t) >= 9).map(t => t.map(k => k - 9))}});
+}
+ask("simplify", {points: shape("spot.obj").points, faces: 300, engine: "exact"});
+ask("simplify", {points: shape("spot.obj").points, faces: 18, engine: "float"});
+ask("simplify", {points: shape("spot.obj").points, faces: 18, search: "local", moves: 20});
+ask("decompose", {...shape("spot.obj"), notes: undefined, distance: "3%", tree: true});
+ask("decompose", {...shape("teapot.obj"), notes: undefined, method: "hacd", max_parts: 20});
+ask("decompose", {...shape("teapot.obj"), notes: undefined, method: "acd", picture: true, name: "a teapot"});
+
+for (const file of readdirSync(`${folder}vectors`).filter(name => name.endsWith(".json"))) {
+  for (const {input, question} of vectors(file.replace(".json", ""))) {
+    const given = input.points ? {points: input.points} : input.halfspaces ? {planes: input.halfspaces} : undefined;
+    if (!given) continue;
+    if (question.ask === "verify") {
+      const {points: vertices, faces, halfspaces: planes, text} = question.candidate;
+      if (text === undefined) ask("verify", {...given, candidate: planes ? {planes} : {vertices, faces}, inner: question.inner});
+    } else {
+      ask("hull", given);
+      ask("simplify", {...given, faces: question.faces ?? 8, cost: ["volume", "area", "mean-width"][requests.hull.length % 3]});
+    }
+  }
+}
+// Faults, which have answers, too.
+for (const line of ["", "{", "[]", '{"points":[]}', '{"points":[[0,0,0],[1,0,0],[0,1,0]]}', '{"points":[["NaN",0,0]]}', '{"points":[[1e999,0,0]]}',
+  '{"planes":[[1,0,0,-1]]}', '{"points":[[0,0,0]],"faces":3}', '{"points":[[0,0,0]],"files":["a.stl"]}', '{"id":1.50,"frob":1}']) {
+  for (const kind in requests) if (line.trim() !== "") requests[kind].push(line);
+}
+
+function answered(kind, lines) {
+  const ran = spawnSync(program, [kind, "--stdio"], {input: `${lines}\n`, encoding: "utf8", maxBuffer: 1 << 30});
+  assert.equal(ran.status, 0, ran.stderr);
+  return ran.stdout;
+}
+
+for (const [kind, lines] of Object.entries(requests)) {
+  const begin = performance.now();
+  const native = answered(kind, lines.join("\n")).split("\n");
+  const start = performance.now();
+  lines.forEach((line, k) => {
+    const answer = module.answer(kind, line);
+    if (answer === native[k]) return;
+    let at = 0;
+    while (answer[at] === native[k][at]) ++at;
+    assert.fail(`${kind} ${line.slice(0, 150)}: from byte ${at}\nmodule: ${answer.slice(at - 60, at + 100)}\nnative: ${native[k].slice(at - 60, at + 100)}`);
+  });
+  assert.equal(native.length, lines.length + 1);
+  const seconds = (from, to) => `${((to - from) / 1000).toFixed(1)} s`;
+  console.log(`${kind}: ${lines.length} answers are the same; ${seconds(start, performance.now())}, native ${seconds(begin, start)}; ${module.memory() >> 20} MB`);
+}

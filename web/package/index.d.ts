@@ -1,0 +1,182 @@
+// SPDX-License-Identifier: MIT
+// Types of convexact. Names of options and of entries of answers are those of the requests (docs/schema of the project).
+
+type Rows = readonly (readonly (number | string)[])[];
+/** x y z of each point: flat, or in rows. Strings are exact: "1/3". */
+export type Points = Float64Array | Float32Array | Rows;
+export interface Mesh {
+  points: Points;
+  /** Corners of each face, counter-clockwise from outside: flat triangles, or rows of three or more. */
+  triangles?: Uint32Array | Int32Array | Uint16Array | readonly (readonly number[])[];
+}
+/** n1 n2 n3 d of each halfspace n.x + d <= 0: flat, or in rows. */
+export interface Halfspaces { planes: Float64Array | Float32Array | Rows }
+export type Shape = Points | Mesh | Halfspaces;
+export interface Solid {
+  name?: string;
+  vertices: Points;
+  faces?: Mesh["triangles"];
+}
+export type Candidate = Points | Solid | Mesh | Halfspaces | { parts: readonly (Solid | Mesh)[] };
+
+/** A number of an answer, exact: digits, or "p/q"; small integers are numbers. */
+export type Exact = number | string;
+export interface Measured {
+  value: number | null;
+  /** Every digit is certain. */
+  decimal: string;
+  exact?: string;
+}
+
+export interface Options {
+  /** The meaning of decimals that are strings. */
+  decimal?: "nearest" | "exact";
+  numbers?: "binary64" | "binary32";
+  /** Whether the answer has a page (HTML) that shows it, and its title. */
+  picture?: boolean;
+  name?: string;
+  seed?: number;
+}
+export interface FileOptions extends Options {
+  /** Files to be made, by extension: .obj .off .ply .xyz .json .ine .txt; of simplify also .proof. */
+  files?: string[];
+  precision?: 64 | 32;
+  /** Volumes as fractions, too. */
+  exact_values?: boolean;
+}
+export interface HullOptions extends FileOptions {
+  digits?: number;
+  measures?: ("volume" | "area" | "mean-width" | "inertia")[];
+}
+export interface SimplifyOptions extends FileOptions {
+  /** Halfspaces to keep, at least 4. */
+  faces?: number;
+  /** Such as "5%". */
+  max_growth?: string | number;
+  growth_of?: "volume" | "area" | "mean-width";
+  cost?: "volume" | "area" | "mean-width";
+  engine?: "exact" | "filtered" | "float";
+  verify?: "none" | "local" | "full";
+  search?: "none" | "walk" | "local" | "optimal";
+  moves?: number;
+  nodes?: number;
+  tie_bits?: number;
+  center?: string;
+}
+export interface VerifyOptions extends Options {
+  asks?: "enclosure" | "hull" | "inner" | "simplify";
+  /** Such as "1e-9", or "1e-9d" relative to the diameter. */
+  tolerance?: string;
+  tightness?: boolean;
+  claims?: string[];
+  /** Of parts: how far they may be from the solid. */
+  distance?: string;
+  [question: string]: unknown;
+}
+export interface DecomposeOptions extends Options {
+  /** A share of the diameter ("3%"), or a length. */
+  distance?: string | number;
+  method?: "auto" | "cut" | "acd" | "hacd";
+  effort?: "low" | "normal" | "high";
+  max_parts?: number;
+  disjoint?: boolean;
+  faces?: number;
+  [option: string]: unknown;
+}
+
+interface WithFiles {
+  files?: Record<string, string>;
+  picture?: string;
+}
+export interface Hull extends WithFiles {
+  input: { points: number; hull_vertices: number; halfspaces: number };
+  edges: number;
+  planes: [Exact, Exact, Exact, Exact][];
+  vertices: [string, string, string][];
+  facets: number[][];
+  /** The vertices as the nearest doubles. */
+  points: Float64Array;
+  box: { low: string[]; high: string[] };
+  diameter: Measured;
+  volume?: Measured;
+  area?: Measured;
+  mean_width?: Measured;
+  [more: string]: unknown;
+}
+export interface Growth { input: Measured; output: Measured; ratio: number }
+export interface Enclosure extends WithFiles {
+  input: { points: number; hull_vertices: number; halfspaces: number };
+  output: { halfspaces: number; reached: boolean; stop: string; planes: [Exact, Exact, Exact, Exact][]; [more: string]: unknown };
+  /** n1 n2 n3 d of each halfspace, rounded outward and proven to hold every point; undefined where doubles cannot. */
+  planes?: Float64Array;
+  volume: Growth;
+  area?: Growth;
+  mean_width?: Growth;
+  [more: string]: unknown;
+}
+export interface Claim {
+  code: string;
+  status: string;
+  sentence: string;
+  witness?: Record<string, unknown>;
+  [more: string]: unknown;
+}
+export interface Verdict {
+  /** Whether every claim holds. */
+  ok: boolean;
+  /** Of the first claim that does not hold. */
+  sentence: string;
+  verdict: "holds" | "violated" | "undecided";
+  claims: Claim[];
+  picture?: string;
+  [more: string]: unknown;
+}
+export interface Decomposition {
+  parts: { name?: string; vertices: number[][]; faces: number[][]; [more: string]: unknown }[];
+  picture?: string;
+  [more: string]: unknown;
+}
+export interface ConformResult {
+  id: string;
+  level: number;
+  points: Float64Array;
+  candidate?: unknown;
+  ok: boolean;
+  sentence: string;
+  verdict?: Verdict;
+}
+export interface Conformance {
+  ok: boolean;
+  passed: number;
+  results: ConformResult[];
+  failures: ConformResult[];
+}
+
+/** Every method rejects with this. */
+export class ConvexactError extends Error {
+  /** Such as "malformed", "not-finite", "no-interior", "stopped". */
+  kind: string;
+  /** Of a file: counted from 1. */
+  line?: number;
+  sentence: string;
+  /** Of an input without volume: why it has none. */
+  proof?: Record<string, unknown>;
+}
+
+export interface Convexact {
+  hull(shape: Shape, options?: HullOptions): Promise<Hull>;
+  simplify(shape: Shape, options?: SimplifyOptions): Promise<Enclosure>;
+  verify(shape: Shape, candidate: Candidate, options?: VerifyOptions): Promise<Verdict>;
+  decompose(mesh: Mesh, options?: DecomposeOptions): Promise<Decomposition>;
+  read(bytes: Uint8Array, name: string): Promise<{ points: Float64Array; triangles: number[][]; notes: string[] } | { planes: Exact[][] }>;
+  conform(
+    program: (points: Float64Array) => Candidate | Promise<Candidate>,
+    options?: { asks?: "hull" | "enclosure"; only?: string[]; level?: 1 | 2 | 3; tolerance?: string },
+  ): Promise<Conformance>;
+  /** Ends what runs; what was asked rejects with the kind "stopped". */
+  cancel(): void;
+}
+
+/** The double nearest to a number of an answer. */
+export function toNumber(exact: Exact): number;
+export default function convexact(): Promise<Convexact>;
