@@ -7,6 +7,18 @@
 #include "convexact/number.hpp"
 #include "number/text.hpp"
 
+namespace {
+
+// The numbers of a row in their order, as compilers evaluate arguments in any: of several faults
+// the first one is told.
+template <class Number>
+convexact::RationalVector3 three(const Number& number) {
+  const auto x = number(0), y = number(1), z = number(2);
+  return {x, y, z};
+}
+
+}  // namespace
+
 convexact::Rational nlohmann::adl_serializer<convexact::Rational>::from_json(
     const nlohmann::json& json) {
   return convexact::parse_rational(json.get_ref<const std::string&>());
@@ -15,7 +27,7 @@ convexact::Rational nlohmann::adl_serializer<convexact::Rational>::from_json(
 convexact::Halfspace nlohmann::adl_serializer<convexact::Halfspace>::from_json(
     const nlohmann::json& json) {
   const auto number = [&json](std::size_t i) { return json.at(i).get<convexact::Rational>(); };
-  return {convexact::RationalVector3(number(0), number(1), number(2)), number(3)};
+  return {three(number), number(3)};
 }
 
 namespace convexact {
@@ -138,7 +150,7 @@ PointSet points_of_json(const json& rows, const char* what, const JsonNumber& nu
   std::vector<RationalPoint> list;
   for (std::size_t r = 0; r < rows.size(); ++r) {
     const json& x = row_of(rows, r, 3, what);
-    list.emplace_back(number(x[0]), number(x[1]), number(x[2]));
+    list.push_back(three([&](std::size_t k) { return number(x[k]); }));
   }
   return PointSet(std::move(list));
 }
@@ -148,7 +160,8 @@ HalfspaceList halfspaces_of_json(const json& rows, const JsonNumber& number) {
   HalfspaceList list;
   for (std::size_t r = 0; r < rows.size(); ++r) {
     const json& x = row_of(rows, r, 4, "plane");
-    list.add({number(x[0]), number(x[1]), number(x[2])}, number(x[3]));
+    const RationalVector3 normal = three([&](std::size_t k) { return number(x[k]); });
+    list.add(normal, number(x[3]));
   }
   return list;
 }

@@ -2,12 +2,18 @@
 # SPDX-License-Identifier: MIT
 """page_test.py [SCREENSHOTS] - the page that ./dev web made, from disk, in headless Chromium: files are dropped on it,
 verdicts read, long work cancelled, broken and large files refused in words; by keys alone, on a phone's width; and no
-connection can be opened. Writes screenshots into the folder, if one is named."""
+connection can be opened. The package without a bundler, too. Writes screenshots into the folder, if one is named."""
+import base64
+import functools
+import hashlib
+import http.server
 import json
 import pathlib
 import re
+import shutil
 import sys
 import tempfile
+import threading
 import time
 
 HERE = pathlib.Path(__file__).resolve().parent
@@ -18,6 +24,7 @@ PAGE = HERE.parent.parent / "build" / "web" / "page" / "index.html"
 CUBE = "".join(f"v {k & 1} {k >> 1 & 1} {k >> 2}\n" for k in range(8)) + (
     "f 1 3 4 2\nf 5 6 8 7\nf 1 2 6 5\nf 3 7 8 4\nf 1 5 7 3\nf 2 4 8 6\n")
 FIRST = 'document.getElementById("first").textContent'
+POLICY = 'document.querySelector("meta[http-equiv]").content'
 # Drops files with such names and texts on the page.
 DROP = """(files => {
   const data = new DataTransfer();
@@ -26,10 +33,10 @@ DROP = """(files => {
 })"""
 
 
-def wait_for(page, condition, seconds=60):
+def wait_for(page, condition, seconds=60, first=FIRST):
     end = time.monotonic() + seconds
     while not page.evaluate(condition):
-        assert time.monotonic() < end, f"{condition} within {seconds} s; the page says: {page.evaluate(FIRST)}"
+        assert time.monotonic() < end, f"{condition} within {seconds} s; the page says: {page.evaluate(first)}"
         time.sleep(0.05)
 
 
@@ -68,8 +75,13 @@ def check_hull(page):
     assert (found["volume"], found["area"], found["mean width"], found["edges"]) == ("1", "6", "1.500000000", "12"), found
     mesh = saved(page, "cube-hull.obj")
     assert mesh.count("\nv ") + mesh.startswith("v ") == 8 and len(re.findall("^f ", mesh, re.M)) == 6, mesh
-    # The picture is in its frame, and its scripts run there.
-    wait_for(page, 'document.getElementById("picture").srcdoc.startsWith("<!DOCTYPE html>")')
+    # The policy holds in the frame of the picture, too: it names each script there.
+    picture = page.evaluate('document.getElementById("picture").srcdoc')
+    scripts = re.findall("<script>(.*?)</script>", picture, re.S)
+    assert len(scripts) == 4, len(scripts)
+    for script in scripts:
+        digest = base64.b64encode(hashlib.sha256(script.encode()).digest()).decode()
+        assert f"'sha256-{digest}'" in page.evaluate(POLICY), script[:100]
 
 
 def check_verdict(page, screenshots):
@@ -164,13 +176,36 @@ def check_phone(screenshots):
     wait_for_sentence(page, "^stairs: a hull")
     assert page.evaluate("document.documentElement.scrollWidth") <= 375
     if screenshots:
+        page.evaluate('document.getElementById("picture").scrollIntoView()')
         time.sleep(2)
-        page.screenshot(screenshots / "phone.png")
+        page.screenshot(screenshots / "phone.png", whole=False)
     page.close()
 
 
+def check_package():
+    """The package in a browser, without a bundler: its example, from a server on this machine."""
+    package = PAGE.parent.parent / "package"
+    with tempfile.TemporaryDirectory() as folder:
+        place = pathlib.Path(folder)
+        (place / "node_modules").mkdir()
+        (place / "node_modules" / "convexact").symlink_to(package)
+        shutil.copy(package / "examples" / "page.html", place)
+        server = http.server.ThreadingHTTPServer(("127.0.0.1", 0), functools.partial(QuietHandler, directory=folder))
+        threading.Thread(target=server.serve_forever, daemon=True).start()
+        page = chromium.Page(f"http://127.0.0.1:{server.server_port}/page.html")
+        wait_for(page, 'document.getElementById("answer").textContent !== "…"', first="document.body.textContent")
+        assert page.evaluate('document.getElementById("answer").textContent') == "4 facets, volume 0.1666666667"
+        page.close()
+        server.shutdown()
+
+
+class QuietHandler(http.server.SimpleHTTPRequestHandler):
+    def log_message(self, *_):
+        pass
+
+
 def check_no_connection(page):
-    policy = page.evaluate('document.querySelector("meta[http-equiv]").content')
+    policy = page.evaluate(POLICY)
     assert policy.startswith("default-src 'none'") and "//" not in policy and "*" not in policy, policy
     assert page.evaluate('fetch("https://example.org/").then(() => "sent", () => "refused")') == "refused"
     assert any("Content Security Policy" in text for text in page.complaints), page.complaints
@@ -195,7 +230,8 @@ def main():
     check_keys()
     check_phone(screenshots)
     check_no_connection(page)
-    print("the page: hull, verdict, enclosure, parts, faults, cancel, a file of 100 MB, keys, a phone; no connection")
+    check_package()
+    print("the page: hull, verdict, enclosure, parts, faults, cancel, a file of 100 MB, keys, a phone; no connection; the package")
     return 0
 
 

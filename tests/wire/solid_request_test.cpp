@@ -93,6 +93,9 @@ TEST_CASE("solid request: faults name what was expected") {
         "expected only known keys in the request, found 'faces'");
   CHECK(message("hull", R"({"points": [], "measures": ["width"]})")
             .starts_with("expected measures out of volume, area, mean-width and inertia"));
+  // Of two faults in a row, the first.
+  CHECK(message("hull", R"({"planes": [["a", "b", "c", "d"]]})").ends_with("found 'a'"));
+  CHECK(message("hull", R"({"points": [["a", "b", "c"]]})").ends_with("found 'a'"));
   CHECK(message("hull", R"({"points": [], "digits": 0})") == "expected digits from 1 to 10000");
   CHECK(message("simplify", R"({"points": [], "files": ["a.stl"], "faces": 4})")
             .starts_with("expected files as names that end in"));

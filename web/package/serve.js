@@ -14,9 +14,11 @@ export function serve(send) {
   return async job => {
     if (job.kind === "start") return void (started = startModule(job.wasm));
     try {
-      send({id: job.id, answer: await answer(job)});
+      const found = await answer(job);
+      // Out of memory: what its calls held is lost.
+      send({id: job.id, ended: found.error?.code === "stopped", answer: found});
     } catch (error) {
-      // After a trap the module is in no known state: the client ends this worker.
+      // After a trap the module is in no known state. In both cases the client ends this worker.
       const isFault = error.kind !== undefined;
       send({id: job.id, ended: !isFault, answer: {error: {code: error.kind ?? "internal", message: String(error.message ?? error)}}});
     }
