@@ -119,7 +119,7 @@ TEST_CASE("verify --union: the text for people") {
   for (const char* text :
        {"as parts of", "covers-points       violated", "4 of 16 points in no part",
         "not asked           covers-solid, within-solid, parts-disjoint, parts-needed",
-        "closed: it bounds a solid", "volume 1.000 of 3.000 (33.3%)", "left out",
+        "closed: it bounds a solid", "volume 1.000 of 3 (33.3%)", "left out",
         "the surface from the union", "2 claims are violated"}) {
     CAPTURE(text);
     CHECK(ran.out.find(text) != std::string::npos);
