@@ -179,7 +179,7 @@ TEST_CASE("from_short_decimal: right where it decides, which it does for short d
                                                            : to_double(exact, Rounding::Nearest)));
   };
   for (const std::string text : {"0", "0.1", ".5", "5.", "1e22", "1.5E-3", "0.000123456", "8.5e+9",
-                                 "9007199254740992e-22", "0e9999", "00.00e-99999999999999"}) {
+                                 "9007199254740992e-22", "0e9999"}) {
     check(text, 0.0, true);
   }
   for (const std::string text : {"0.1", "16777216e10", "16777216e-10", "8.5e9", "0.000123456"}) {
@@ -190,6 +190,9 @@ TEST_CASE("from_short_decimal: right where it decides, which it does for short d
     check(text, 0.0, false);
   }
   for (const std::string text : {"1e11", "16777217", "1e-11"}) check(text, 0.0f, false);
+  double zero = 1;
+  CHECK(from_short_decimal("00.00e-99999999999999", zero) == std::errc());
+  CHECK(zero == 0);
   check_property("six digits round as the rationals they spell", [&](std::uint32_t bits) {
     std::array<char, 64> printed{};
     std::snprintf(printed.data(), printed.size(), "%.6g", (bits >> 8) * std::pow(0.1, bits % 16));
