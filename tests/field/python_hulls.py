@@ -97,6 +97,21 @@ def mujoco_32(points, faces, count):
     return mujoco(points, faces, count, 32)
 
 
+def libigl(points, faces, count):
+    """Its hull is CGAL's."""
+    from igl.copyleft import cgal
+    return points, cgal.convex_hull(points)
+
+
+def drake(points, faces, count):
+    """Its faces are polygons."""
+    from pydrake.geometry import Convex
+    hull = Convex(points=points.T, label="input").GetConvexHull()
+    polygons = [hull.element(k) for k in range(hull.num_faces())]
+    return ([hull.vertex(k) for k in range(hull.num_vertices())],
+            [[polygon.vertex(k) for k in range(polygon.num_vertices())] for polygon in polygons])
+
+
 def pchs(points, faces, count):
     """The program of [Jacobson2026]."""
     import pchs as package
