@@ -34,15 +34,19 @@ class Memory:
 
     def __init__(self, path, fresh=False):
         self.path = path
-        self.entries = json.loads(path.read_text()) if path.exists() and not fresh else {}
+        self.entries = {} if fresh else self.stored()
+
+    def stored(self):
+        return json.loads(self.path.read_text()) if self.path.exists() else {}
 
     def recall(self, name, digest):
         entry = self.entries.get(name)
         return entry["found"] if entry and entry["digest"] == digest else None
 
     def keep(self, name, digest, found, seconds):
+        """Beside what others have kept in the file since this one read it."""
         self.entries[name] = {"digest": digest, "found": found, "seconds": round(seconds, 3)}
-        self.path.write_text(json.dumps(self.entries))
+        self.path.write_text(json.dumps({**self.stored(), name: self.entries[name]}))
 
     def seconds(self, name):
         """That this took, or if it was never run, the median of what others took; None without any."""

@@ -61,8 +61,9 @@ class Memories(unittest.TestCase):
     def test_only_the_same_digest_counts(self):
         with tempfile.TemporaryDirectory() as folder:
             path = Path(folder) / "verdicts.json"
-            Memory(path).keep("p", digest_of("a", b"b"), [1], 2.0)
-            Memory(path).keep("q", digest_of("a"), [2], 6.0)
+            first, second = Memory(path), Memory(path)
+            first.keep("p", digest_of("a", b"b"), [1], 2.0)
+            second.keep("q", digest_of("a"), [2], 6.0)
             self.assertEqual(Memory(path).recall("p", digest_of("a", b"b")), [1])
             self.assertIsNone(Memory(path).recall("p", digest_of("a", b"c")))
             self.assertIsNone(Memory(path, fresh=True).recall("p", digest_of("a", b"b")))
