@@ -3,7 +3,8 @@
 """Runs the field's decomposers over meshes, and has two judges settle each set of parts.
 
 `convexact verify --union` and judge_parts.py, which shares nothing with it, decide about all claims. Exit code 1 if
-they differ anywhere. What is found goes to build/field/decompositions.md, a table, and with --page to docs/field.md.
+they differ anywhere. What is found goes to build/field/decompositions.md, a table, and with --page to docs/field.md, in place
+of the rows of these decomposers. A run says before how long it will take; it resumes where an earlier one stopped.
 CONVEXACT_MESHES names a folder with more meshes (OBJ).
 """
 import argparse
@@ -11,7 +12,6 @@ import json
 import math
 import os
 import resource
-import shutil
 import subprocess
 import sys
 import time
@@ -22,34 +22,17 @@ from pathlib import Path
 sys.path.insert(0, str(Path(__file__).parent))
 from compare import shown  # noqa: E402
 from judge_parts import judge_part_files  # noqa: E402
+from memory import Memory, bytes_of, digest_of, expectation, judges_digest  # noqa: E402
 from mutate import obj_text  # noqa: E402
-from programs import BUILD, ROOT, Program, debian_version, npm_version, own_seconds, run_program  # noqa: E402
+from programs import BUILD, NOT_HERE, ROOT, decomposers, own_seconds, run_program  # noqa: E402
 from reading import Mesh, read  # noqa: E402
 from run import number_options  # noqa: E402
-from tables import parts_table, write_page  # noqa: E402
+from tables import PARTS_MESHES, parts_table, write_page  # noqa: E402
 
-# Name: the words that the adapter takes, the numbers that it computes with, and the package.
-NPM = {"vhacd-16": ("binary64", "vhacd-js"), "vhacd-24": ("binary64", "vhacd-js"), "vhacd-parts": ("binary64", "vhacd-js"),
-       "rapier-parts": ("binary32", "@dimforge/rapier3d-compat")}
-BUILT = {"hacd": "binary64", "hacd-full": "binary64", "ratcliff": "binary32"}
 ASKED = "covers-points,covers-surface,parts-disjoint,parts-needed,parts-solid,parts-convex"
 COMPARED = ("parts-readable", "parts-finite", "parts-solid", "parts-convex", "covers-points", "covers-surface",
             "covers-solid", "within-solid", "parts-disjoint", "parts-needed")
 DISTANCE = "0.03d"
-
-
-def decomposers():
-    programs = []
-    there = shutil.which("node") and (BUILD / "node_modules").exists()
-    for name, (numbers, package) in NPM.items():
-        programs.append(Program(name, ["node", str(BUILD / "programs.mjs"), name, "{input}", "{output}"], numbers,
-                                missing="" if there else "npm packages are not installed", version=npm_version(package)))
-    path = BUILD / "bin" / "decomposers"
-    for name, numbers in BUILT.items():
-        programs.append(Program(name, [str(path), name, "{input}", "{output}"], numbers,
-                                missing="" if path.exists() else "build/field/bin/decomposers is not built",
-                                version=debian_version("libbullet-extras-dev")))
-    return programs
 
 
 def polycube(cells):
@@ -175,10 +158,35 @@ class Run:
         self.record = {"case": case, "program": program.name, "numbers": program.numbers, "version": program.version,
                        "triangles": len(mesh.faces)}
 
+        self.memory = Memory(self.folder / "verdicts.json", options.fresh)
+
+    def digest(self):
+        return digest_of(self.options.digest, self.program.command, self.program.version, bytes_of(self.source), bytes_of(self.target))
+
+    def known(self):
+        return self.memory.recall(self.program.name, self.digest())
+
+    def settle(self):
+        """All but the second judge's verdict; from an earlier run, if nothing has changed."""
+        found = self.known()
+        if found is not None:
+            self.record = found
+            return
+        start = time.monotonic()
+        self.decompose()
+        if self.options.asks and self.record["outcome"] == "output":
+            self.verify()
+        if self.record["outcome"] != "time":
+            self.memory.keep(self.program.name, self.digest(), self.record, time.monotonic() - start)
+
     def decompose(self):
-        if self.options.fresh or not self.outcome_file.exists() or self.outcome_file.read_text() == "time":
+        if self.options.fresh or not self.outcome_file.exists() or self.outcome_file.read_text() == "time" or self.program.is_ours():
+            start = time.monotonic()
             self.outcome_file.write_text(run_program(self.program, self.source, self.target, 0, self.options.time_limit))
-        self.record.update(outcome=self.outcome_file.read_text(), seconds=own_seconds(self.target))
+            if self.program.is_ours():  # with its start, because it does not say how long it took
+                self.record["seconds"] = time.monotonic() - start
+        self.record["outcome"] = self.outcome_file.read_text()
+        self.record.setdefault("seconds", own_seconds(self.target))
 
     def verify(self):
         """The defaults, timed, as a user asks; then all claims by name, covers-solid only where there is a solid."""
@@ -192,17 +200,15 @@ class Run:
 def judge_run(work):
     """The judge's verdict, or the one that it gave before on the same parts."""
     source, target, numbers, most = work
-    memory = Path(target + ".judge")
-    changed = max(path.stat().st_mtime for path in (Path(source), Path(target), *Path(__file__).parent.glob("*.py")
-                                                    ) if path.name not in ("decompositions.py", "tables.py", "run.py"))
-    if memory.exists() and memory.stat().st_mtime > changed:
-        verdict = json.loads(memory.read_text())
-        if verdict["most"] == most:
-            return verdict
-    start = time.monotonic()
-    verdict = judge_part_files(read(source, numbers), target, numbers, most=most, distance=DISTANCE).as_json()
-    verdict.update(seconds=round(time.monotonic() - start, 3), most=most)
-    memory.write_text(json.dumps(verdict))
+    given = read(source, numbers)
+    whole = len(given.faces) <= most  # its surface, or only its points
+    memory, digest = Path(target + ".judge"), judges_digest(bytes_of(Path(source)), bytes_of(Path(target)), numbers, whole)
+    verdict = json.loads(memory.read_text()) if memory.exists() else {}
+    if verdict.get("digest") != digest:
+        start = time.monotonic()
+        verdict = judge_part_files(given, target, numbers, most=most, distance=DISTANCE).as_json()
+        verdict.update(seconds=round(time.monotonic() - start, 3), digest=digest)
+        memory.write_text(json.dumps(verdict))
     return verdict
 
 
@@ -213,6 +219,8 @@ def parse_options(arguments):
                         "decomposers and verify run one at a time, since they are timed")
     parser.add_argument("--case", action="append", help="only this mesh; may be repeated")
     parser.add_argument("--program", action="append", help="only this decomposer; may be repeated")
+    parser.add_argument("--only", metavar="NAME", help="one decomposer in minutes: --program NAME on the meshes of the table")
+    parser.add_argument("--table", action="store_true", help="only the meshes of the table in docs/field.md")
     parser.add_argument("--time-limit", type=float, default=300, help="seconds for one run of a decomposer (default 300)")
     parser.add_argument("--verify-limit", type=float, default=300, help="seconds for one verdict (default 300)")
     parser.add_argument("--most", type=int, default=7000,
@@ -221,7 +229,12 @@ def parse_options(arguments):
     parser.add_argument("--fresh", action="store_true", help="run all decomposers again")
     parser.add_argument("--page", action="store_true", help="write the tables into docs/field.md, too")
     parser.add_argument("-o", dest="report", default=str(BUILD / "decompositions.json"), help="the report as JSON")
-    return parser.parse_args(arguments)
+    options = parser.parse_args(arguments)
+    if options.only:
+        options.program, options.table = [options.only], True
+    if options.table:
+        options.case = list(PARTS_MESHES)
+    return options
 
 
 def knows_unions(convexact):
@@ -229,19 +242,27 @@ def knows_unions(convexact):
     return "--union" in done.stdout
 
 
+def expected(runs, jobs):
+    """Decomposers differ by a factor of a thousand, so what was never run is guessed from the triangles; so is the slow judge."""
+    known = [seconds for run in runs if run.known() is None and (seconds := run.memory.seconds(run.program.name)) is not None]
+    unknown = [run for run in runs if run.known() is None and run.memory.seconds(run.program.name) is None]
+    fresh = [run for run in runs if not Path(str(run.target) + ".judge").exists()]
+    return expectation(known, [5 + 0.01 * run.record["triangles"] for run in unknown]
+                       + [0.01 * run.record["triangles"] / jobs for run in fresh], 1)
+
+
 def main(arguments=None):
     options = parse_options(arguments)
     options.convexact = str(Path(options.convexact).resolve())
-    runs, asks = [], knows_unions(options.convexact)
-    programs = [program for program in decomposers() if not options.program or program.name in options.program]
-    for case, mesh in all_meshes().items():
-        for program in programs:
-            if not program.missing and (not options.case or case in options.case):
-                runs.append(Run(case, mesh, program, options))
+    options.asks = knows_unions(options.convexact)
+    options.digest = judges_digest(bytes_of(Path(options.convexact)), options.verify_limit)
+    everything = decomposers(options.convexact)
+    programs = [program for program in everything if not options.program or program.name in options.program]
+    runs = [Run(case, mesh, program, options) for case, mesh in all_meshes().items() for program in programs
+            if not program.missing and (not options.case or case in options.case)]
+    print(f"{len(runs)} decompositions; {expected(runs, options.jobs)}", flush=True)
     for done, run in enumerate(runs, 1):
-        run.decompose()
-        if asks and run.record["outcome"] == "output":
-            run.verify()
+        run.settle()
         if sys.stderr.isatty():
             print(f"\r{done} of {len(runs)} decompositions", end="", file=sys.stderr, flush=True)
     judged = [run for run in runs if run.record["outcome"] == "output" and not options.no_judge]
@@ -249,18 +270,26 @@ def main(arguments=None):
         work = [(str(run.source), str(run.target), run.program.numbers, options.most) for run in judged]
         for run, verdict in zip(judged, pool.imap(judge_run, work)):
             run.record["judge"] = verdict
-            run.record["differences"] = differences_of(verdict, run.record["status"], run.record["answer"]) if asks else []
+            run.record["differences"] = differences_of(verdict, run.record["status"], run.record["answer"]) if options.asks else []
     records = [run.record for run in runs]
     Path(options.report).write_text(json.dumps({"records": records}, indent=1) + "\n")
     table = parts_table(records, programs)
-    write_page("decompositions", table, options.page)
+    write_page("decompositions", table, options.page, [program.name for program in everything])
     print(table)
+    return report(records, [program for program in programs if program.missing], options)
+
+
+def report(records, missing, options):
     differing = 0
     for record in records:
         for kind, claim, sentence in record.get("differences", []):
             differing += 1
             print(f"{kind}: {record['case']} {record['program']}: {claim}: {sentence}")
-    print(f"{len(judged)} decompositions judged{'' if asks else ' by the independent judge only'}, {differing} differences; "
+    reasons = {program.name: program.missing for program in missing}
+    for name, reason in {**reasons, **({} if options.program else NOT_HERE)}.items():
+        print(f"skipped: {name}: {reason}")
+    judged = sum("judge" in record for record in records)
+    print(f"{judged} decompositions judged{'' if options.asks else ' by the independent judge only'}, {differing} differences; "
           f"{options.report}")
     return 1 if differing else 0
 

@@ -348,7 +348,7 @@ def judge_each(verdict, parts, scale):
     convex = {part.name: part.convex_as_file(scale) for part in parts}
     verdict.figures.update(
         parts=len(parts), parts_not_solid=flat, parts_not_convex=[name for name, good in convex.items() if good is False],
-        facets=[len(part.hull.facets) if part.hull else 0 for part in parts],
+        facets=[len(part.hull.facets) if part.hull else 2 * (part.dimension == 2) for part in parts],  # a polygon has two sides
         vertices=[len(part.vertices) for part in parts])
     verdict.claims["parts-solid"] = not flat
     verdict.claims["parts-convex"] = not verdict.figures["parts_not_convex"]

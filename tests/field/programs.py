@@ -1,6 +1,11 @@
 # SPDX-License-Identifier: MIT
-"""The programs of ./dev field: how each is called, what it computes with, what it promises, and whether it is here."""
+"""The programs of ./dev field: how each is called, what it computes with, what it promises, and whether it is here.
+
+`programs.py install [NAME]` brings packages of the Python index, `programs.py kind NAME` says what a program writes (hulls or
+decompositions) and where it is from.
+"""
 import json
+import re
 import shutil
 import subprocess
 import sys
@@ -23,6 +28,7 @@ class Program:
     missing: str = ""  # why it cannot run here
     promise: str = ""  # by its documentation: how far a point may be outside, as for --tolerance
     version: str = ""
+    origin: str = "here"  # npm, debian, python or crates
 
     def is_ours(self):
         return self.name.startswith("convexact")
@@ -33,14 +39,23 @@ class Program:
 
 # Packages of the Python index, in an environment; those of one package beside its name.
 PYTHON = {"scipy": "1.17.1", "trimesh": "5.2.0", "open3d": "0.20.0", "manifold3d": "3.5.4", "coal": "3.0.3", "pymeshlab": "2025.7.post1",
-          "mujoco": "4.0.0", "pchs": "0.1.0"}
-PYTHON_PROGRAMS = {**{name: name for name in PYTHON}, "mujoco-32": "mujoco"}
+          "mujoco": "4.0.0", "pchs": "0.1.0", "libigl": "2.6.3", "drake": "1.51.1", "coacd": "1.0.14", "miniacd": "0.1.5",
+          "vhacdx": "0.1.1", "pybullet": "3.2.7"}
+PYTHON_PARTS = ("coacd", "miniacd", "vhacdx", "pybullet")
+PYTHON_HULLS = {**{name: name for name in PYTHON if name not in PYTHON_PARTS}, "mujoco-32": "mujoco"}
 PYTHON_NUMBERS = {"mujoco": "binary32", "mujoco-32": "binary32"}
 ENVIRONMENT = ROOT / "build" / "peers" / "bin" / "python"
 
 NPM = {"three-hull": "binary64", "three-geometry": "binary32", "quickhull3d": "binary64",
        "quickhull3d-polygons": "binary64", "jolt": "binary32", "rapier": "binary32", "manifold": "binary32",
        "physx": "binary32", "physx-shifting": "binary32", "vhacd": "binary64", "ammo": "binary32"}
+NPM_PARTS = {"vhacd-16": ("binary64", "vhacd-js"), "vhacd-24": ("binary64", "vhacd-js"), "vhacd-parts": ("binary64", "vhacd-js"),
+             "rapier-parts": ("binary32", "@dimforge/rapier3d-compat")}
+# Crates, in the versions of crates/Cargo.toml.
+CRATES = {"parry": ("parry3d", "binary32"), "parry64": ("parry3d-f64", "binary64"), "chull": ("chull", "binary64"),
+          "chull-fast": ("chull", "binary64")}
+CRATES_PARTS = {"parry-parts": ("parry3d", "binary32"), "parry-voxels": ("parry3d", "binary32")}
+BUILT_PARTS = {"hacd": "binary64", "hacd-full": "binary64", "ratcliff": "binary32"}
 BUILT = {"bullet-hull": ("bullet", "hull", "binary32"), "bullet-shape": ("bullet", "shape", "binary32"),
          "bullet64-hull": ("bullet64", "hull", "binary64"), "bullet64-shape": ("bullet64", "shape", "binary64"),
          "cgal-doubles": ("cgal", "doubles", "binary64"), "cgal-predicates": ("cgal", "exact-predicates", "binary64")}
@@ -49,10 +64,17 @@ PROFILES = {"jolt": "jolt", "physx": "physx", "physx-shifting": "physx", "bullet
             "ammo": "bullet", "manifold": "manifold", "qhull": "qhull", "qhull-triangles": "qhull",
             "quickhull3d": "quickhull3d", "quickhull3d-polygons": "quickhull3d", "rapier": "rapier",
             "three-hull": "threejs", "three-geometry": "threejs", "scipy": "qhull", "trimesh": "qhull", "open3d": "qhull",
-            "coal": "qhull", "pymeshlab": "qhull"}
+            "coal": "qhull", "pymeshlab": "qhull", "drake": "qhull", "parry": "rapier"}
 PACKAGES = {"three-hull": "three", "three-geometry": "three", "quickhull3d-polygons": "quickhull3d", "jolt": "jolt-physics",
             "rapier": "@dimforge/rapier3d-compat", "manifold": "manifold-3d", "physx": "physx-js-webidl",
             "physx-shifting": "physx-js-webidl", "vhacd": "vhacd-js", "ammo": "ammojs-typed"}
+# What people use and what cannot be judged here, with the reason.
+NOT_HERE = {"python-fcl": "0.7.0.11 takes a hull (fcl.Convex) and computes none",
+            "pybullet's hull": "3.2.7 returns its corners and no faces; the library under it is bullet-hull",
+            "ovphysx": "0.3.7 cooks hulls of a USD stage, and no call returns them; the engine under it is physx",
+            "geogram": "0.0.7 of the Python index binds its Voronoi diagrams only, and Debian 12 has no package",
+            "cuacd": "0.1.0 needs the driver of a GPU (libcuda.so.1)",
+            "CGAL's convex_decomposition_3": "the export of version 5.5 is wrong"}
 QHULL = {"qhull": "", "qhull-triangles": "Qt", "qhull-no-merging": "=Q0,Pp", "qhull-own-points": "=Qt"}
 
 
@@ -101,37 +123,73 @@ def own_programs(convexact):
 
 
 def hull_programs():
-    programs = []
-    node = shutil.which("node")
-    for name, numbers in NPM.items():
-        there = node and (BUILD / "node_modules").exists()
-        programs.append(Program(name, ["node", str(BUILD / "programs.mjs"), name, "{input}", "{output}"], numbers,
-                                missing="" if there else "npm packages are not installed",
-                                version=npm_version(PACKAGES.get(name, name))))
-    versions = {"bullet": debian_version("libbullet-dev"), "cgal": debian_version("libcgal-dev")}
+    programs = [npm_program(name, numbers, PACKAGES.get(name, name)) for name, numbers in NPM.items()]
     for name, (binary, mode, numbers) in BUILT.items():
-        path = BUILD / "bin" / binary
-        programs.append(Program(name, [str(path), mode, "{input}", "{output}"], numbers,
-                                missing="" if path.exists() else f"build/field/bin/{binary} is not built",
-                                version=versions[binary.removesuffix("64")]))
+        package = {"bullet": "libbullet-dev", "cgal": "libcgal-dev"}[binary.removesuffix("64")]
+        programs.append(built_program(name, binary, mode, numbers, package))
     for name, options in QHULL.items():
-        programs.append(Program(name, ["python3", str(HERE / "qhull.py"), options, "{input}", "{output}"],
+        programs.append(Program(name, ["python3", str(HERE / "qhull.py"), options, "{input}", "{output}"], origin="debian",
                                 missing="" if shutil.which("qhull") else "qhull-bin is not installed",
                                 version=debian_version("qhull-bin")))
-    there = python_versions()
-    for name, package in PYTHON_PROGRAMS.items():
-        wanted, found = PYTHON[package], there.get(package)
-        missing = "" if found == wanted else f"{package} {wanted} is not in the environment build/peers"
-        programs.append(Program(name, [str(ENVIRONMENT), str(HERE / "python_hulls.py"), name, "{input}", "{output}", "{faces}"],
-                                PYTHON_NUMBERS.get(name, "binary64"), missing=missing, version=f"{package} {found}" if found else ""))
-    return programs
+    programs += [python_program(name, package, PYTHON_NUMBERS.get(name, "binary64"), "python_hulls.py", "{faces}")
+                 for name, package in PYTHON_HULLS.items()]
+    return programs + [crate_program(name, *found) for name, found in CRATES.items()]
 
 
-def install_python():
-    """Brings the packages of the Python index, each for itself; says which cannot be had."""
+def decomposers(convexact):
+    programs = [Program(f"convexact-{method}", [convexact, "decompose", "{input}", "--method", method, "-o", "{output}"])
+                for method in ("cut", "hacd", "acd")]
+    programs += [npm_program(name, *found) for name, found in NPM_PARTS.items()]
+    programs += [built_program(name, "decomposers", name, numbers, "libbullet-extras-dev") for name, numbers in BUILT_PARTS.items()]
+    programs += [python_program(name, name, "binary64", "python_parts.py") for name in PYTHON_PARTS]
+    return programs + [crate_program(name, *found) for name, found in CRATES_PARTS.items()]
+
+
+def npm_program(name, numbers, package):
+    there = shutil.which("node") and (BUILD / "node_modules").exists()
+    return Program(name, ["node", str(BUILD / "programs.mjs"), name, "{input}", "{output}"], numbers, origin="npm",
+                   missing="" if there else "npm packages are not installed", version=npm_version(package))
+
+
+def built_program(name, binary, mode, numbers, package):
+    path = BUILD / "bin" / binary
+    return Program(name, [str(path), mode, "{input}", "{output}"], numbers, origin="debian",
+                   missing="" if path.exists() else f"build/field/bin/{binary} is not built", version=debian_version(package))
+
+
+def python_program(name, package, numbers, adapter, *more):
+    wanted, found = PYTHON[package], python_versions().get(package)
+    return Program(name, [str(ENVIRONMENT), str(HERE / adapter), name, "{input}", "{output}", *more], numbers, origin="python",
+                   missing="" if found == wanted else f"{package} {wanted} is not in the environment build/peers",
+                   version=f"{package} {found}" if found else "")
+
+
+def crate_program(name, package, numbers):
+    path = BUILD / "bin" / "crates"
+    version = re.search(rf'^{package} = "=(.*)"', (HERE / "crates" / "Cargo.toml").read_text(), re.MULTILINE)[1]
+    return Program(name, [str(path), name, "{input}", "{output}"], numbers, origin="crates", version=f"{package} {version}",
+                   missing="" if path.exists() else "build/field/bin/crates is not built: no cargo, or too old a one")
+
+
+def kind(name):
+    """What a program writes, and where it is from. @raises SystemExit with the names, if there is none of that name."""
+    kinds = {"hulls": own_programs("convexact") + hull_programs(), "decompositions": decomposers("convexact")}
+    for writes, programs in kinds.items():
+        for program in programs:
+            if program.name == name:
+                return f"{writes} {program.origin}"
+    reason = f"{name} {NOT_HERE[name]}" if name in NOT_HERE else f"no program {name}"
+    names = {writes: " ".join(program.name for program in programs) for writes, programs in kinds.items()}
+    raise SystemExit(f"{reason}; hulls: {names['hulls']}; decompositions: {names['decompositions']}")
+
+
+def install_python(only):
+    """Brings the packages of the Python index, each for itself, or that of one program; says which cannot be had."""
     sys.path.insert(0, str(ROOT / "tests" / "reproduce"))
     from support import peer_environment  # pylint: disable=import-outside-toplevel
     for name, version in PYTHON.items():
+        if only and PYTHON_HULLS.get(only, only) != name:
+            continue
         try:
             peer_environment.require(peer_environment.environment(), name, version)
         except peer_environment.Skipped as reason:
@@ -165,5 +223,12 @@ def own_seconds(target):
     return json.loads(path.read_text())["seconds"] if path.exists() else None
 
 
+def main(task, name=""):
+    if task == "kind":
+        print(kind(name))
+    else:
+        install_python(name)
+
+
 if __name__ == "__main__":
-    install_python()
+    main(*sys.argv[1:])

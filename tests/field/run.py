@@ -4,10 +4,10 @@
 
 `convexact verify` and judge.py, which shares nothing with it, decide about every output, and about
 deliberate damage to some. Exit code 1 if they differ anywhere. What is found of each program goes to
-build/field/hulls.md, a table, and with --page to docs/field.md.
+build/field/hulls.md, a table, and with --page to docs/field.md, in place of the rows of these programs.
+A run says before how long it will take; it resumes where an earlier one stopped.
 """
 import argparse
-import hashlib
 import json
 import os
 import random
@@ -21,8 +21,9 @@ from pathlib import Path
 sys.path.insert(0, str(Path(__file__).parent))
 from compare import Differences, ask_convexact, compare  # noqa: E402
 from judge import Input, judge_files  # noqa: E402
+from memory import Memory, bytes_of, digest_of, expectation, judges_digest  # noqa: E402
 from mutate import mutations, obj_text, off_text, ply_bytes  # noqa: E402
-from programs import BUILD, ROOT, all_programs, own_seconds, run_program  # noqa: E402
+from programs import BUILD, NOT_HERE, ROOT, all_programs, own_seconds, run_program  # noqa: E402
 from reading import Malformed, Mesh, NotFinite, read, vector_number  # noqa: E402
 from tables import found_in, hull_table, write_page  # noqa: E402
 
@@ -71,39 +72,81 @@ class Case:
     """One input: every program's output, two verdicts on each."""
 
     def __init__(self, name, points, faces, options):
-        self.name, self.faces, self.options = name, faces, options
+        self.name, self.points, self.faces, self.options = name, points, faces, options
         self.folder = BUILD / "out" / name
         self.folder.mkdir(parents=True, exist_ok=True)
-        self.source = self.folder / "input.obj"
-        self.given, self.own = {"binary64": Input(points)}, {}
-        text, self.outcomes, self.memory = input_text(self.given["binary64"]), {}, self.folder / "outcomes.json"
-        if self.source.exists() and self.source.read_bytes() == text and self.memory.exists() and not options.fresh:
-            self.outcomes = json.loads(self.memory.read_text())
-        self.source.write_bytes(text)
-        self.random = random.Random(int(hashlib.sha256(name.encode()).hexdigest(), 16))
+        self.source, self.outcomes_file = self.folder / "input.obj", self.folder / "outcomes.json"
+        self.given, self.own, self.outcomes = {}, {}, None
+        self.memory = Memory(self.folder / "verdicts.json", options.fresh)
+        self.digest, self.digest_of_input = digest_of(options.digest, name, points, faces), judges_digest(points)
+
+    def prepare(self):
+        """Writes the input, once: its hull by the judge is slow."""
+        kept = self.outcomes_file.exists() and not self.options.fresh
+        self.outcomes = json.loads(self.outcomes_file.read_text()) if kept else {}
+        if self.source.exists() and self.memory.recall("input", self.digest_of_input) is not None:
+            return
+        start = time.monotonic()
+        text = input_text(self.input_for("binary64"))
+        if bytes_of(self.source) != text:
+            self.source.write_bytes(text)
+            self.outcomes = {}
+        self.memory.keep("input", self.digest_of_input, "written", time.monotonic() - start)
+
+    def random(self, *names):
+        return random.Random(int(digest_of(self.name, *names), 16))
+
+    def target_of(self, program):
+        return self.folder / f"{program.name}.{program.writes}"
+
+    def digest_with(self, program):
+        return digest_of(self.digest, program.command, program.version, program.promise, bytes_of(self.target_of(program)))
+
+    def expected(self, programs):
+        """Seconds of what is still to do: those measured before, and guesses for the rest."""
+        todo = [program.name for program in programs if self.memory.recall(program.name, self.digest_with(program)) is None]
+        known = [self.memory.seconds(name) for name in todo]
+        guessed = [1 + 0.03 * min(len(self.points), 1000) for seconds in known if seconds is None]
+        if todo and self.memory.recall("input", self.digest_of_input) is None:
+            guessed.append(5e-5 * len(self.points) ** 1.5)
+        return [seconds for seconds in known if seconds is not None], guessed
+
+    def settled(self, program):
+        """The records of one program: those of an earlier run, if nothing has changed."""
+        found = self.memory.recall(program.name, self.digest_with(program))
+        if found is None:
+            if self.outcomes is None:
+                self.prepare()
+            start = time.monotonic()
+            found = self.run(program)
+            if found[0]["outcome"] != "time":
+                self.memory.keep(program.name, self.digest_with(program), found, time.monotonic() - start)
+            self.outcomes_file.write_text(json.dumps(self.outcomes))
+        return found
 
     def input_for(self, numbers):
         if numbers not in self.given:
-            self.given[numbers] = Input(read(self.source, numbers).points)
+            points = self.points if numbers == "binary64" else read(self.source, numbers).points
+            self.given[numbers] = Input(points)
         return self.given[numbers]
+
+    def too_large(self, target, numbers):
+        try:
+            return len(getattr(read(target, numbers), "points", ())) > self.options.most
+        except (Malformed, NotFinite):
+            return False
 
     def settle(self, program, target, numbers, tolerances):
         """One record for each tolerance; None asks for the exact verdicts."""
+        if self.too_large(target, numbers):
+            _, answer = ask_convexact(self.options.convexact, self.source, target, ["--asks", "hull", *number_options(numbers)],
+                                      self.options.verify_limit)
+            return [self.record(program, target, "too large for the judge", [], found=found_in(answer))]
         try:
             given, start = self.input_for(numbers), time.monotonic()
         except NotFinite:
             return [self.record(program, target, f"an input beyond {numbers}", [])]
-        verdict = None
-        if given.hull:
-            try:
-                if len(getattr(read(target, numbers), "points", ())) > self.options.most:
-                    _, answer = ask_convexact(self.options.convexact, self.source, target,
-                                              ["--asks", "hull", *number_options(numbers)], self.options.verify_limit)
-                    return [self.record(program, target, "too large for the judge", [], found=found_in(answer))]
-            except (Malformed, NotFinite):
-                pass
-            verdict = judge_files(given, target, numbers, asks_hull=True)
-        records = []
+        verdict, records = judge_files(given, target, numbers, asks_hull=True) if given.hull else None, []
         for tolerance in tolerances:
             differences, status, answer = compare(self.options.convexact, given, self.source, target, numbers, tolerance,
                                                   seconds=self.options.verify_limit, verdict=verdict)
@@ -116,7 +159,7 @@ class Case:
                 "differences": differences, "tolerance": tolerance, "numbers": numbers, "seconds": round(seconds, 3), "found": found}
 
     def run(self, program):
-        target = self.folder / f"{program.name}.{program.writes}"
+        target = self.target_of(program)
         if self.outcomes.get(program.name, "time") == "time" or program.is_ours():
             start = time.monotonic()
             self.outcomes[program.name] = run_program(program, self.source, target, self.faces, self.options.time_limit)
@@ -125,7 +168,7 @@ class Case:
         if self.outcomes[program.name] != "output":
             return [self.record(program.name, target, self.outcomes[program.name], [])]
         numbers = program.numbers if self.options.binary32 else "binary64"
-        records = self.settle(program.name, target, numbers, (None, self.random.choice(TOLERANCES)))
+        records = self.settle(program.name, target, numbers, (None, self.random(program.name).choice(TOLERANCES)))
         self.add_own(program, target, numbers, records[0])
         return records
 
@@ -145,7 +188,7 @@ class Case:
 
     def run_mutants(self, targets):
         """Damages an output with faces in every way, and writes it in one of three formats."""
-        meshes = []
+        meshes, chance = [], self.random("mutants")
         for target in targets:
             try:
                 mesh = read(target)
@@ -154,31 +197,32 @@ class Case:
             if isinstance(mesh, Mesh) and mesh.faces and len(mesh.points) <= self.options.most // 4:
                 meshes.append(mesh)
         records = []
-        for mesh in self.random.sample(meshes, min(len(meshes), self.options.mutants)):
-            for name, mutant in mutations(mesh, self.random):
-                form = self.random.choice(sorted(WRITERS))
+        for mesh in chance.sample(meshes, min(len(meshes), self.options.mutants)):
+            for name, mutant in mutations(mesh, chance):
+                form = chance.choice(sorted(WRITERS))
                 target = self.folder / f"mutant-{name}.{form}"
                 target.write_bytes(WRITERS[form](mutant))
-                found = self.settle("mutant " + name, target, "binary64", [self.random.choice((None, None, *TOLERANCES))])
+                found = self.settle("mutant " + name, target, "binary64", [chance.choice((None, None, *TOLERANCES))])
                 if not any(record["differences"] for record in found):
                     target.unlink()
                 records += found
         return records
 
 
+def chosen_programs(options):
+    return [program for program in all_programs(options.convexact)
+            if not program.missing and (not options.program or program.name in options.program)]
+
+
 def run_case(work):
-    name, points, faces, options = work
-    case = Case(name, points, faces, options)
+    case, options = Case(*work), work[-1]
     records, targets = [], []
-    for program in all_programs(options.convexact):
-        if program.missing or (options.program and program.name not in options.program):
-            continue
-        found = case.run(program)
+    for program in chosen_programs(options):
+        found = case.settled(program)
         records += found
         if found[0]["outcome"].startswith("exit") and program.writes == "obj":
             targets.append(BUILD / found[0]["file"])
-    case.memory.write_text(json.dumps(case.outcomes))
-    if case.given["binary64"].hull:
+    if options.mutants and targets and case.input_for("binary64").hull:
         records += case.run_mutants(targets)
     return records
 
@@ -209,6 +253,7 @@ def parse_options(arguments):
     parser.add_argument("--jobs", type=int, default=os.cpu_count(), help="cases at a time (default: the processors)")
     parser.add_argument("--case", default="", help="only inputs whose name has this in it")
     parser.add_argument("--program", action="append", help="only this program; may be repeated")
+    parser.add_argument("--only", metavar="NAME", help="one program in minutes: --program NAME --every 4 --meshes --mutants 0")
     parser.add_argument("--time-limit", type=float, default=20, help="seconds for one run of a program (default 20)")
     parser.add_argument("--verify-limit", type=float, default=120, help="seconds for one verdict (default 120)")
     parser.add_argument("--most", type=int, default=700, help="points of the largest output to judge (default 700)")
@@ -218,17 +263,28 @@ def parse_options(arguments):
     parser.add_argument("--fresh", action="store_true", help="run all programs again, also where their output is there")
     parser.add_argument("--page", action="store_true", help="write the table into docs/field.md, too")
     parser.add_argument("-o", dest="report", default=str(BUILD / "report.json"), help="the report as JSON")
-    return parser.parse_args(arguments)
+    options = parser.parse_args(arguments)
+    if options.only:
+        options.program, options.every, options.meshes, options.mutants = [options.only], 4, True, 0
+    if options.page and options.case:
+        parser.error("--page shows programs over a sample of all inputs, so not with --case")
+    return options
 
 
 def main(arguments=None):
     options = parse_options(arguments)
     options.convexact = str(Path(options.convexact).resolve())
     options.binary32 = understands_binary32(options.convexact)
+    options.digest = judges_digest(bytes_of(Path(options.convexact)), options.most, options.verify_limit)
     work = [(*case, options) for number, case in enumerate(all_cases(options.case))
             if number % options.every == 0 or (options.meshes and case[0] in MESHES)]
-    skipped = {program.name: program.missing for program in all_programs(options.convexact) if program.missing}
-    records = []
+    skipped = {program.name: program.missing for program in all_programs(options.convexact)
+               if program.missing and (not options.program or program.name in options.program)}
+    programs, records = chosen_programs(options), []
+    costs = [Case(*case).expected(programs) for case in work]
+    print(f"{len(work)} inputs, {len(programs)} programs; "
+          + expectation([x for known, _ in costs for x in known], [x for _, guessed in costs for x in guessed], options.jobs)
+          + (" without the damaged outputs" if options.mutants else ""), flush=True)
     with Pool(options.jobs) as pool:
         for done, found in enumerate(pool.imap_unordered(run_case, work), 1):
             records += found
@@ -237,12 +293,13 @@ def main(arguments=None):
     records.sort(key=lambda record: (record["program"], record["case"], record["tolerance"] or ""))
     differing = [record for record in records if record["differences"]]
     Path(options.report).write_text(json.dumps({"skipped": skipped, "records": records}, indent=1) + "\n")
-    write_page("hulls", hull_table(records, all_programs(options.convexact), len(work)), options.page)
+    everything = all_programs(options.convexact)
+    write_page("hulls", hull_table(records, everything, len(work)), options.page, [program.name for program in everything])
     print(table(records))
     for record in differing[:60]:
         for kind, claim, sentence in record["differences"]:
             print(f"{kind}: {record['file']} {record['tolerance'] or ''}: {claim}: {sentence}")
-    for name, reason in skipped.items():
+    for name, reason in {**skipped, **({} if options.program else NOT_HERE)}.items():
         print(f"skipped: {name}: {reason}")
     print(f"{len(records)} verdicts on {len(work)} inputs, {len(differing)} differ; {options.report}")
     return 1 if differing else 0

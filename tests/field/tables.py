@@ -1,9 +1,11 @@
 # SPDX-License-Identifier: MIT
-"""The tables of docs/field.md: what ./dev field found of hull programs and of decomposers."""
+"""The tables of docs/field.md: what ./dev field found of hull programs and of decomposers, a row for each.
+
+A row says what it was made of and when, so a run of some programs replaces their rows and leaves the others.
+"""
 import math
 import re
 import statistics
-import subprocess
 import time
 from fractions import Fraction
 
@@ -44,7 +46,7 @@ def small(value):
 def short_time(seconds):
     if seconds is None:
         return "-"
-    return f"{seconds * 1e6:.0f} µs" if seconds < 1e-3 else f"{seconds * 1e3:.3g} ms" if seconds < 1 else f"{seconds:.3g} s"
+    return f"{seconds * 1e6:.3g} µs" if seconds < 1e-3 else f"{seconds * 1e3:.3g} ms" if seconds < 1 else f"{seconds:.3g} s"
 
 
 def markdown(head, rows, left=1):
@@ -56,7 +58,7 @@ def said(count, total):
     return "all" if count == total else f"{count} of {total}"
 
 
-def hull_row(program, found):
+def hull_row(program, found, inputs):
     """One program: how many outputs, and in how many of them what holds; meshes are where times are comparable."""
     solid = [f for f in found if f["solid"]]
     missing = [f for f in solid if not f["contains"]]
@@ -72,11 +74,15 @@ def hull_row(program, found):
     if program.promise:
         hulls += f"; within its promise {said(sum(bool(f.get('is_promised_hull')) for f in found), len(found))}"
     small_times = [f["seconds"] for f in found if f["seconds"] is not None and not f["mesh"]]
-    return [f"`{program.name}`", str(len(found)), said(len(solid), len(found)),
+    return [f"`{program.name}`", program.version or "this one", f"{inputs}; {time.strftime('%Y-%m-%d')}", str(len(found)), said(len(solid), len(found)),
             said(len(solid) - len(missing), len(solid)) if solid else "-", small(worst), promise, hulls,
             said(sum(bool(f["convex"]) for f in found), len(found)) if planar else "-",
             said(sum(planar), len(planar)) if planar else "-", short_time(statistics.median(small_times) if small_times else None),
             shown_times or "-", facets or "-"]
+
+
+HULL_HEAD = ["program", "package", "inputs; date", "outputs", "solid", "hold the input", "farthest outside, D", "within its promise",
+             "are the hull", "convex", "planar", "median time", "time: bunny, spot, teapot", "facets"]
 
 
 def hull_table(records, programs, inputs):
@@ -84,30 +90,32 @@ def hull_table(records, programs, inputs):
     for record in records:
         if record["found"] and "seconds" in record["found"]:
             by_name.setdefault(record["program"], []).append({"case": record["case"], **record["found"]})
-    head = ["program", "outputs", "solid", "hold the input", "farthest outside, D", "within its promise", "are the hull", "convex", "planar",
-            "median time", "time: bunny, spot, teapot", "facets"]
-    rows = [hull_row(program, by_name[program.name]) for program in programs if program.name in by_name]
-    versions = sorted({program.version for program in programs if program.version})
-    skipped = [f"`{program.name}`: {program.missing}" for program in programs if program.missing]
-    return "\n".join([f"{inputs} inputs, {time.strftime('%Y-%m-%d')}, {revision()}; {'; '.join(versions)}.", "",
-                      markdown(head, rows), "", *([f"Skipped: {'; '.join(skipped)}.", ""] if skipped else [])])
+    return markdown(HULL_HEAD, [hull_row(program, by_name[program.name], inputs) for program in programs if program.name in by_name], left=2)
 
 
-def revision():
-    done = subprocess.run(["git", "-C", str(ROOT), "describe", "--always", "--dirty"], capture_output=True, text=True, check=False)
-    return f"convexact {done.stdout.strip()}"
+def with_old_rows(text, old, names):
+    """The table `text`, with the rows of `old` for programs that it has not; in the order of `names`."""
+    head, rows = text.split("\n")[:2], {}
+    before = old.strip().split("\n")
+    if before[:2] != head and len(before) > 1:
+        raise ValueError("docs/field.md has other columns: run all programs")
+    for line in before[2:] + text.split("\n")[2:]:
+        rows[line.split("`")[1]] = line
+    return "\n".join(head + [rows[name] for name in names if name in rows])
 
 
-def write_page(name, text, into_page):
-    """To build/field, and between the two marks of that name in the page."""
+def write_page(name, text, into_page, names):
+    """To build/field, and into the table between the two marks of that name in the page."""
     BUILD.mkdir(parents=True, exist_ok=True)
-    (BUILD / f"{name}.md").write_text(text)
+    (BUILD / f"{name}.md").write_text(text + "\n")
     if into_page:
         page = PAGE.read_text()
-        pattern = re.compile(rf"(<!-- {name}: .*?-->\n).*?(<!-- end of {name} -->)", re.DOTALL)
-        if not pattern.search(page):
+        pattern = re.compile(rf"(<!-- {name}: .*?-->\n)(.*?)(<!-- end of {name} -->)", re.DOTALL)
+        marks = pattern.search(page)
+        if not marks:
             raise ValueError(f"docs/field.md has no marks for {name}")
-        PAGE.write_text(pattern.sub(lambda marks: marks[1] + "\n" + text + "\n" + marks[2], page))
+        table = with_old_rows(text, marks[2], names)
+        PAGE.write_text(page[:marks.start()] + marks[1] + "\n" + table + "\n\n" + marks[3] + page[marks.end():])
 
 
 def middle(bounds):
@@ -123,57 +131,50 @@ def relative_distance(judge):
     return root(Fraction(judge["squared_distance"]) / Fraction(judge["squared_diameter"]))
 
 
-def faults(judge):
-    """What is wrong with the parts themselves, in words."""
-    found = [(len(judge["parts_not_solid"]), "flat"), (len(judge["parts_not_convex"]), "not convex"),
-             (judge["overlapping_pairs"], "pairs overlap"), (len(judge["parts_inner"]), "within another")]
-    return ", ".join(f"{count} {words}" for count, words in found if count) or "-"
+def faults(judges):
+    """What is wrong with the parts themselves, of all meshes together, in words."""
+    kinds = {"flat": lambda judge: len(judge["parts_not_solid"]), "not convex": lambda judge: len(judge["parts_not_convex"]),
+             "pairs overlap": lambda judge: judge["overlapping_pairs"], "within another": lambda judge: len(judge["parts_inner"])}
+    counts = {words: sum(count(judge) for judge in judges) for words, count in kinds.items()}
+    return ", ".join(f"{count} {words}" for words, count in counts.items() if count) or "-"
 
 
 def volume_share(measures, name):
     if "solid_volume" not in measures:
-        return "no solid"
+        return "-"
     return percent(max(middle(measures[name]), 0.0) / middle(measures["solid_volume"]))
 
 
-def judged_row(record):
-    judge, measures = record["judge"], (record.get("answer") or {}).get("measures", {})
-    share = middle(measures["uncovered_area_share"]) if "uncovered_area_share" in measures else judge.get("uncovered_area_share")
-    facets = sorted(judge["facets"])
-    return [str(judge["parts"]), f"{facets[len(facets) // 2]} to {facets[-1]}", short_time(record["seconds"]),
-            f"{judge['points_outside']} of {judge['points']} ({percent(judge['points_outside'] / judge['points'])})",
-            small(relative_distance(judge)), "-" if share is None else percent(share),
-            volume_share(measures, "uncovered_volume") if measures else "-",
-            volume_share(measures, "excess_volume") if measures else "-", faults(judge)]
-
-
-def parts_row(record):
-    head = [record["case"], f"`{record['program']}`"]
+def judged_cells(record):
+    """Of one mesh, in the order of PARTS_HEAD from "parts" on; a word in the first one if there is nothing to judge."""
     if record["outcome"] != "output" or "judge" not in record:
         words = {"time": "over time", "output": "not judged"}.get(record["outcome"], record["outcome"])
-        return head + [words] + [""] * 8
-    return head + judged_row(record)
+        return [words] + ["-"] * 8
+    judge, measures = record["judge"], (record.get("answer") or {}).get("measures", {})
+    share = middle(measures["uncovered_area_share"]) if "uncovered_area_share" in measures else judge.get("uncovered_area_share")
+    return [str(judge["parts"]), str(max(judge["facets"], default=0)), short_time(record["seconds"]),
+            percent(judge["points_outside"] / judge["points"]), small(relative_distance(judge)), "-" if share is None else percent(share),
+            volume_share(measures, "uncovered_volume"), volume_share(measures, "excess_volume"),
+            short_time(record.get("verdict_seconds"))]
 
 
-def speed_rows(records):
-    rows = []
-    for record in records:
-        if record["outcome"] == "output" and record.get("verify_seconds") and record["seconds"] and record["triangles"] > 2000:
-            verdict, whole = record["verdict_seconds"], record["verify_seconds"]
-            rows.append([record["case"], f"`{record['program']}`", short_time(record["seconds"]), short_time(verdict),
-                         f"{verdict / record['seconds']:.2g}", short_time(whole), f"{whole / record['seconds']:.2g}"])
-    return rows
+# The meshes of the table; each cell has their values in this order.
+PARTS_MESHES = ("l", "plus", "cross", "torus", "spot", "cow")
+PARTS_HEAD = ["decomposer", "package", "date", "parts", "most facets", "its time", "points outside", "farthest, D", "surface outside",
+              "volume outside", "excess volume", "verdict's time", "parts with faults"]
+
+
+def parts_row(program, records):
+    cells = zip(*(judged_cells(record) for record in records))
+    return [f"`{program.name}`", program.version or "this one", time.strftime("%Y-%m-%d"), *(", ".join(column) for column in cells),
+            faults([record["judge"] for record in records if "judge" in record])]
 
 
 def parts_table(records, programs):
-    head = ["mesh", "decomposer", "parts", "facets, median to most", "its time", "points outside", "farthest, D",
-            "surface outside", "volume outside", "excess volume", "parts with faults"]
-    versions = sorted({program.version for program in programs if program.version and not program.missing})
-    skipped = [f"`{program.name}`: {program.missing}" for program in programs if program.missing]
-    lines = [f"{time.strftime('%Y-%m-%d')}, {revision()}; {'; '.join(versions)}.", "",
-             markdown(head, [parts_row(record) for record in records], left=2), ""]
-    rows = speed_rows(records)
-    if rows:
-        lines += ["How long the verdict takes beside the decomposer that made the parts:", "",
-                  markdown(["mesh", "decomposer", "its time", "verdict", "ratio", "with measures", "ratio"], rows, left=2), ""]
-    return "\n".join(lines + ([f"Skipped: {'; '.join(skipped)}.", ""] if skipped else []))
+    """A row for each program that ran on all of PARTS_MESHES."""
+    rows = []
+    for program in programs:
+        found = {record["case"]: record for record in records if record["program"] == program.name}
+        if all(mesh in found for mesh in PARTS_MESHES):
+            rows.append(parts_row(program, [found[mesh] for mesh in PARTS_MESHES]))
+    return markdown(PARTS_HEAD, rows, left=2)
