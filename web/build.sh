@@ -14,7 +14,7 @@ size_line() {
 
 build_module() {
   # Boost 1.74 derives from a class that C++20 has not.
-  local flags="'-fwasm-exceptions', '-DBOOST_NO_CXX98_FUNCTION_BASE', '-isystem', '$out/prefix/include'"
+  local flags="'-fwasm-exceptions', '-msimd128', '-msse2', '-DBOOST_NO_CXX98_FUNCTION_BASE', '-isystem', '$out/prefix/include'"
   cat >"$out/cross.ini" <<INI
 [binaries]
 c = '$out/bin/emcc'

@@ -89,12 +89,23 @@ build_library() {
 
 write_pc() { printf 'Name: %s\nDescription: %s\nVersion: %s\nCflags: -isystem %s %s\nLibs: %s\n' "$1" "$1" "$2" "$prefix/include" "$3" "${4:-}" >"$prefix/lib/pkgconfig/$1.pc"; }
 
+# Eigen adds doubles in the order in which its vectors of two do, so the module has SSE too, which Emscripten makes of
+# WebAssembly's vectors; else the two would round otherwise. Four functions are then in assembly for old GCCs, which it
+# takes Clang for; and a header is missing of which it needs nothing.
+copy_eigen() {
+  rm -rf "$prefix/include/eigen3"
+  cp -rL /usr/include/eigen3 "$prefix/include/eigen3"
+  sed -i 's/^#if EIGEN_COMP_GNUC && EIGEN_COMP_GNUC < 63$/#if 0/' "$prefix/include/eigen3/Eigen/src/Core/arch/SSE/PacketMath.h"
+  touch "$prefix/include/mmintrin.h"
+}
+
 bring_libraries() {
   [ -f "$prefix/complete" ] && return
   mkdir -p "$prefix/include" "$prefix/lib/pkgconfig"
   # Headers of the system, one by one: its own library's must not be seen.
   local package
-  for package in boost eigen3 nlohmann fmt; do ln -sfn "/usr/include/$package" "$prefix/include/$package"; done
+  for package in boost nlohmann fmt; do ln -sfn "/usr/include/$package" "$prefix/include/$package"; done
+  copy_eigen
   [ -f "$prefix/lib/libgmp.a" ] || build_library gmp --disable-assembly ABI=standard
   [ -f "$prefix/lib/libmpfr.a" ] || build_library mpfr4 --with-gmp="$prefix" --disable-thread-safe --disable-decimal-float --disable-float128
   source_of pugixml
