@@ -15,7 +15,7 @@ size_line() {
 build_module() {
   # Boost 1.74 derives from a class that C++20 has not.
   local flags="'-fwasm-exceptions', '-msimd128', '-msse2', '-DBOOST_NO_CXX98_FUNCTION_BASE', '-isystem', '$out/prefix/include'"
-  cat >"$out/cross.ini" <<INI
+  cat >"$out/cross.new" <<INI
 [binaries]
 c = '$out/bin/emcc'
 cpp = '$out/bin/em++'
@@ -33,6 +33,8 @@ cpu_family = 'wasm32'
 cpu = 'wasm32'
 endian = 'little'
 INI
+  # A file that is newer would have everything compiled again.
+  cmp -s "$out/cross.new" "$out/cross.ini" || mv "$out/cross.new" "$out/cross.ini"
   [ -f "$out/module/build.ninja" ] || meson setup "$out/module" --cross-file "$out/cross.ini" -Dtests=false -Dpython=disabled \
     -Dunity=on -Dunity_size=40 -Db_pch=false
   ninja -C "$out/module" -j2 web/convexact.wasm
