@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// decompose.hpp - a shape as the union of few convex parts, and what is proven of it. Cut parts hold
-// the solid, and none is farther from it than a distance. Hacd and Acd make hulls of clusters of
-// triangles whose concavity is small: they hold the surface, and what they leave uncovered of the
-// solid is measured.
+// decompose.hpp - a shape as the union of few convex parts, and what is proven of it. Cut parts
+// hold the solid, and none is farther from it than a distance. Hacd and Acd make hulls of clusters
+// of triangles whose concavity is small: they hold the surface, and what they leave uncovered of
+// the solid is measured.
 #pragma once
 #include <cstddef>
 #include <optional>
