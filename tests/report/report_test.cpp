@@ -267,7 +267,7 @@ TEST_CASE("report: parts of an L of cells, by every method" * sweep) {
   }
 
   ReportRequest request;
-  request.effort = little();
+  request.effort = effort;
   request.sections = {false, false, false, false, false, true};
   ReportData report;
   report.inputs.push_back(
