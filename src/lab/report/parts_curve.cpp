@@ -24,6 +24,7 @@ DecomposeRequest request_for(DecomposeMethod method, const Rational& limit, cons
   (method == DecomposeMethod::Cut ? request.distance.emplace() : request.limit) = {limit, true};
   request.measures = PartMeasures::None;
   request.seed = effort.seed;
+  request.jobs = 1;  // as all other methods, whose times stand beside it
   return request;
 }
 

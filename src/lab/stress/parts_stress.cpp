@@ -97,6 +97,7 @@ PartsStressRun cut_and_judge(const Mesh& mesh) {
   DecomposeRequest request;
   request.method = DecomposeMethod::Cut;
   request.measures = PartMeasures::None;
+  request.jobs = 1;  // threads reserve addresses, of which the process has a limit
   const double start = processor_seconds();
   try {
     const DecomposeOutcome outcome = decompose(mesh, request);
