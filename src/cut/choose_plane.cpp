@@ -69,10 +69,10 @@ double size_of(const std::vector<Point>& points) {
 // The cell that a vector points to, of a cube whose sides have n x n cells.
 std::size_t cell_towards(const Point& to, std::size_t n) {
   int axis = 0;
-  const double most = to.cwiseAbs().maxCoeff(&axis);
+  const double per_most = 1 / to.cwiseAbs().maxCoeff(&axis);
   std::size_t cell = 2 * static_cast<std::size_t>(axis) + (to[axis] > 0 ? 1 : 0);
   for (const int other : {(axis + 1) % 3, (axis + 2) % 3}) {
-    const double share = (to[other] / most + 1) / 2;
+    const double share = (to[other] * per_most + 1) / 2;
     cell = cell * n + std::min(static_cast<std::size_t>(share * static_cast<double>(n)), n - 1);
   }
   return cell;
@@ -82,12 +82,13 @@ std::size_t cell_towards(const Point& to, std::size_t n) {
 // a cube. Far more of them than of extremes are found in the same time.
 std::vector<Point> farthest_of(const std::vector<Point>& points, std::size_t n) {
   const NearBox box = box_of(points);
-  const Point middle = (box.low + box.high) / 2, size = box.high - box.low;
+  const Point middle = (box.low + box.high) / 2;
+  const Point to_unit =
+      (box.high - box.low).unaryExpr([](double x) { return x > 0 ? 1 / x : 0.0; });
   constexpr std::size_t kNone = ~std::size_t{0};
   std::vector<std::pair<double, std::size_t>> farthest(6 * n * n, {0, kNone});
   for (std::size_t k = 0; k < points.size(); ++k) {
-    Point to = points[k] - middle;
-    for (int axis = 0; axis < 3; ++axis) to[axis] = size[axis] > 0 ? to[axis] / size[axis] : 0;
+    const Point to = (points[k] - middle).cwiseProduct(to_unit);
     const double distance = to.squaredNorm();
     if (!(distance > 0)) continue;
     auto& cell = farthest[cell_towards(to, n)];
@@ -159,6 +160,7 @@ class LeafPoints {
     }
     Halves halves;
     if (reached != 3) return halves;
+    for (std::vector<Point>& half : halves) half.reserve(ids_.size());
     for (const auto& [a, b] : edges_) {
       if (sides[a] == Sign::Zero) {
         goes[a] |= goes_with(sides[b]);

@@ -195,9 +195,14 @@ ConvexPart finish(Making& making, Precision precision, const Watch& watch) {
   return stored;
 }
 
-std::vector<PointId> outside_of_hull(const PointSet& corners, const std::vector<Point>& hull,
-                                     const Watch& watch) {
-  return find_outside(convex_part(PointSet(hull), watch).halfspaces, corners);
+// Those of some corners that are outside of the hull of some points.
+std::vector<PointId> outside_of_hull(const PointSet& corners, std::span<const PointId> asked,
+                                     const std::vector<Point>& hull, const Watch& watch) {
+  if (asked.empty()) return {};
+  std::vector<PointId> outside =
+      find_outside(convex_part(PointSet(hull), watch).halfspaces, subset(corners, asked));
+  for (PointId& p : outside) p = asked[p.index()];
+  return outside;
 }
 
 ConvexPart keep_flat(Part& part, Precision precision) {
@@ -240,16 +245,18 @@ PointSet stored_corners(const ConvexPart& hull, const Rational& squared_diameter
     return y;
   };
   std::vector<Point> stored;
+  std::vector<PointId> moved;
   for (const RationalPoint& x : hull.vertices) {
     stored.push_back(round(x, [](int) { return Rounding::Nearest; }));
+    if (to_rational(stored.back()) != x) moved.emplace_back(stored.size() - 1);
   }
-  std::vector<PointId> outside = outside_of_hull(corners, stored, watch);
+  const std::vector<PointId> outside = outside_of_hull(corners, moved, stored, watch);
   for (const PointId p : outside) {
     const RationalPoint& x = hull.vertices[p.index()];
     stored.push_back(
         round(x, [&](int k) { return x[k] < middle[k] ? Rounding::Down : Rounding::Up; }));
   }
-  for (const PointId p : outside.empty() ? outside : outside_of_hull(corners, stored, watch)) {
+  for (const PointId p : outside_of_hull(corners, outside, stored, watch)) {
     for (int way = 0; way < 8; ++way) {
       stored.push_back(round(hull.vertices[p.index()], [&](int k) {
         return (way >> k & 1) != 0 ? Rounding::Up : Rounding::Down;

@@ -54,6 +54,7 @@ class OutsideSearch {
   OutsideSearch(std::span<const Halfspace> halfspaces, const PointSet& points)
       : halfspaces_(halfspaces),
         points_(points),
+        is_double_(find_doubles(points)),
         ids_(BlockOrder(points, halfspaces.size() >= kManyHalfspaces).take()),
         doubles_(points, ids_),
         absolute_(absolute_plane_error(std::max(1.0, doubles_.largest))) {
@@ -121,9 +122,20 @@ class OutsideSearch {
     return open == 0;
   }
 
+  // One point that is no double makes a whole set rational; the others are tested in integers. A
+  // remainder of 0 may have been rounded to it.
+  static std::vector<bool> find_doubles(const PointSet& points) {
+    std::vector<bool> are(points.size(), true);
+    for (std::size_t i = 0; !points.is_binary() && i < points.size(); ++i) {
+      are[i] = points.remainders()[i].isZero(0) &&
+               to_rational(points.doubles()[i]) == points[PointId(i)];
+    }
+    return are;
+  }
+
   bool is_outside(const Halfspace& h, PointId id) const {
-    return points_.is_binary() ? side_of(h, points_.doubles()[id.index()]) == Sign::Positive
-                               : h(points_[id]) > 0;
+    return is_double_[id.index()] ? side_of(h, points_.doubles()[id.index()]) == Sign::Positive
+                                  : h(points_[id]) > 0;
   }
 
   void search_block(std::size_t first, std::size_t last) {
@@ -145,8 +157,9 @@ class OutsideSearch {
 
   std::span<const Halfspace> halfspaces_;
   const PointSet& points_;
-  std::vector<PointId> ids_;  // in blocks
-  CoordinateArrays doubles_;  // in the order of the ids
+  std::vector<bool> is_double_;  // by id
+  std::vector<PointId> ids_;     // in blocks
+  CoordinateArrays doubles_;     // in the order of the ids
   double absolute_;
   std::vector<DoubleHalfspace> filters_;
   std::vector<PointId> found_;

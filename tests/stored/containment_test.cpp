@@ -39,6 +39,19 @@ TEST_CASE("count_outside: a point on the plane is inside, one ulp beyond it is o
                       PointSet(std::vector<Point>{{0.1, 0.2, std::nextafter(0.3, 0.0)}})) == 0);
 }
 
+TEST_CASE("count_outside: among points that are no doubles each is judged by itself (#48)") {
+  // x <= 1. The last point is less than half a denormal number beyond 1, its nearest double.
+  const std::vector<Halfspace> halfspaces{{IntegerVector3(1, 0, 0), -1}};
+  const Rational least(Rational(1) / Rational(Integer(1) << 2000));
+  const auto at = [](const Rational& x) { return RationalPoint(x, 0, 0); };
+  const PointSet points(std::vector<RationalPoint>{
+      at(Rational(1, 3)), at(1), at(to_rational(std::nextafter(1.0, 2.0))), at(Rational(4, 3)),
+      at(Rational(1 - least)), at(Rational(1 + least))});
+  REQUIRE_FALSE(points.is_binary());
+  CHECK(find_outside(halfspaces, points) ==
+        std::vector<PointId>{PointId(2), PointId(3), PointId(5)});
+}
+
 TEST_CASE("count_outside: a point counts once, whatever number of halfspaces it violates") {
   const std::vector<Halfspace> halfspaces{{IntegerVector3(1, 0, 0), -1},
                                           {IntegerVector3(0, 1, 0), -1}};
