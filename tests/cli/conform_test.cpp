@@ -234,13 +234,17 @@ TEST_CASE("conform: profiles, overridden by options, and named if unknown (#13)"
   CHECK(jolt["numbers"] == "binary32");
   CHECK(jolt["allow_flat"] == true);
   CHECK(jolt["max_vertices"] == 256);
+  // Godot hands its shapes to Jolt, in floats, with Jolt's default tolerance.
+  const json godot = promise_of("--profile godot");
+  for (const char* key : {"numbers", "tolerance", "max_vertices"}) CHECK(godot[key] == jolt[key]);
   const json mine = promise_of("--profile jolt --numbers binary64 --tolerance 0 --max-vertices 99");
   CHECK(mine["numbers"] == "binary64");
   CHECK(mine["tolerance"] == "0");
   CHECK(mine["max_vertices"] == 99);
   const auto unknown = run_program("conform --profile jolly" + vectors() + words);
   CHECK(unknown.exit == 2);
-  CHECK(unknown.err.find("bullet, jacobson, jolt, manifold, mujoco, physx") != std::string::npos);
+  CHECK(unknown.err.find("bullet, godot, jacobson, jolt, manifold, mujoco, physx") !=
+        std::string::npos);
 }
 
 TEST_CASE("verify: a profile stands for numbers, tolerance and caps (#13)") {
