@@ -161,7 +161,7 @@ class Run:
         self.memory = Memory(self.folder / "verdicts.json", options.fresh)
 
     def digest(self):
-        return digest_of(self.options.digest, self.program.command, self.program.version, bytes_of(self.source), bytes_of(self.target))
+        return digest_of(self.options.digest, self.program.identity(), bytes_of(self.source), bytes_of(self.target))
 
     def known(self):
         return self.memory.recall(self.program.name, self.digest())
@@ -180,12 +180,17 @@ class Run:
             self.memory.keep(self.program.name, self.digest(), self.record, time.monotonic() - start)
 
     def decompose(self):
-        if self.options.fresh or not self.outcome_file.exists() or self.outcome_file.read_text() == "time" or self.program.is_ours():
+        outcome, identity = "time", self.program.identity()
+        if self.outcome_file.exists() and not self.options.fresh and not self.program.is_ours():
+            outcome, *before = self.outcome_file.read_text().split("\n")
+            outcome = outcome if before == [identity] else "time"
+        if outcome == "time":
             start = time.monotonic()
-            self.outcome_file.write_text(run_program(self.program, self.source, self.target, 0, self.options.time_limit))
+            outcome = run_program(self.program, self.source, self.target, 0, self.options.time_limit)
+            self.outcome_file.write_text(f"{outcome}\n{identity}")
             if self.program.is_ours():  # with its start, because it does not say how long it took
                 self.record["seconds"] = time.monotonic() - start
-        self.record["outcome"] = self.outcome_file.read_text()
+        self.record["outcome"] = outcome
         self.record.setdefault("seconds", own_seconds(self.target))
 
     def verify(self):
