@@ -27,7 +27,8 @@ from mutate import obj_text  # noqa: E402
 from programs import BUILD, NOT_HERE, ROOT, decomposers, own_seconds, run_program  # noqa: E402
 from reading import Mesh, read  # noqa: E402
 from run import number_options  # noqa: E402
-from tables import PARTS_MESHES, parts_table, write_page  # noqa: E402
+from tables import PARTS_MESHES, edit_page, parts_table, with_times, write_page  # noqa: E402
+from times import cell, timed_runs  # noqa: E402
 
 ASKED = "covers-points,covers-surface,parts-disjoint,parts-needed,parts-solid,parts-convex"
 COMPARED = ("parts-readable", "parts-finite", "parts-solid", "parts-convex", "covers-points", "covers-surface",
@@ -230,6 +231,8 @@ def parse_options(arguments):
     parser.add_argument("--verify-limit", type=float, default=300, help="seconds for one verdict (default 300)")
     parser.add_argument("--most", type=int, default=7000,
                         help="triangles of the largest surface that the independent judge tests (default 7000); points always")
+    parser.add_argument("--times", action="store_true",
+                        help="only time them on the meshes of the table, by the processor, each run followed by one of convexact-cut")
     parser.add_argument("--no-judge", action="store_true", help="ask convexact only")
     parser.add_argument("--fresh", action="store_true", help="run all decomposers again")
     parser.add_argument("--page", action="store_true", help="write the tables into docs/field.md, too")
@@ -237,7 +240,7 @@ def parse_options(arguments):
     options = parser.parse_args(arguments)
     if options.only:
         options.program, options.table = [options.only], True
-    if options.table:
+    if options.table or options.times:
         options.case = list(PARTS_MESHES)
     return options
 
@@ -265,6 +268,12 @@ def main(arguments=None):
     programs = [program for program in everything if not options.program or program.name in options.program]
     runs = [Run(case, mesh, program, options) for case, mesh in all_meshes().items() for program in programs
             if not program.missing and (not options.case or case in options.case)]
+    if options.times:
+        cells = {name: cell(times) for name, times in timed_runs(runs, options.time_limit).items()}
+        if options.page:
+            edit_page("decompositions", lambda old: with_times(old, cells))
+        print("\n".join(f"{name}: {text}" for name, text in cells.items()))
+        return 0
     print(f"{len(runs)} decompositions; {expected(runs, options.jobs)}", flush=True)
     for done, run in enumerate(runs, 1):
         run.settle()

@@ -11,7 +11,6 @@ import argparse
 import json
 import os
 import random
-import subprocess
 import sys
 import time
 from collections import Counter
@@ -109,7 +108,8 @@ class Case:
         return self.folder / f"{program.name}.{program.writes}"
 
     def digest_with(self, program):
-        return digest_of(self.digest, program.identity(), program.promise, bytes_of(self.target_of(program)))
+        numbers = () if program.numbers == "binary64" else (program.numbers,)
+        return digest_of(self.digest, program.identity(), program.promise, bytes_of(self.target_of(program)), *numbers)
 
     def expected(self, programs):
         """Seconds of what is still to do: those measured before, and guesses for the rest."""
@@ -178,7 +178,7 @@ class Case:
                 self.own[program.name] = time.monotonic() - start
         if outcome != "output":
             return [self.record(program.name, target, outcome, [])]
-        numbers = program.numbers if self.options.binary32 else "binary64"
+        numbers = program.numbers
         records = self.settle(program.name, target, numbers, (None, self.random(program.name).choice(TOLERANCES)))
         self.add_own(program, target, numbers, records[0])
         return records
@@ -263,11 +263,6 @@ def table(records):
                                for k, (cell, width) in enumerate(zip(line, widths))) for line in [head, *lines])
 
 
-def understands_binary32(convexact):
-    done = subprocess.run([convexact, "verify", "--help"], capture_output=True, text=True, check=False)
-    return "--numbers" in done.stdout
-
-
 def parse_options(arguments):
     parser = argparse.ArgumentParser(prog="./dev field", description=__doc__.split("\n", maxsplit=1)[0])
     parser.add_argument("--convexact", required=True, help="the program to be judged (./dev field names it)")
@@ -298,7 +293,6 @@ def parse_options(arguments):
 def main(arguments=None):
     options = parse_options(arguments)
     options.convexact = str(Path(options.convexact).resolve())
-    options.binary32 = understands_binary32(options.convexact)
     options.digest = judges_digest(bytes_of(Path(options.convexact)), options.most, options.verify_limit)
     cases, skipped = real_cases(options.case) if options.real else (all_cases(options.case), {})
     work = [(*case, options) for number, case in enumerate(cases)
@@ -319,7 +313,7 @@ def main(arguments=None):
     differing = [record for record in records if record["differences"]]
     Path(options.report).write_text(json.dumps({"skipped": skipped, "records": records}, indent=1) + "\n")
     everything = all_programs(options.convexact)
-    write_page("real" if options.real else "hulls", hull_table(records, everything, len(work)), options.page,
+    write_page("real" if options.real else "hulls", hull_table(records, everything, len(work), options.real), options.page,
                [program.name for program in everything])
     write_subjects(records, programs, work, options)
     print(table(records))

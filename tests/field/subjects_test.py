@@ -127,6 +127,15 @@ class Pages(unittest.TestCase):
             tables.with_old_rows("| a | c |\n| --- | ---: |\n| `two` | 22 |", self.OLD, ["two"])
 
 
+    def test_times_are_replaced_in_the_rows_of_their_names(self):
+        head = "| " + " | ".join(tables.PARTS_HEAD) + " |"
+        column = tables.PARTS_HEAD.index("its time")
+        old, new = (" | ".join(["| `a`", *("x" if k != column else time for k in range(1, len(tables.PARTS_HEAD)))]) + " |"
+                    for time in ("-, -", "1 s, 2 s"))
+        self.assertEqual(tables.with_times("\n".join([head, old, old.replace("`a`", "`b`")]), {"a": "1 s, 2 s"}),
+                         "\n".join([head, new, old.replace("`a`", "`b`")]))
+
+
 class Memories(unittest.TestCase):
     def test_only_the_same_digest_counts(self):
         with tempfile.TemporaryDirectory() as folder:
