@@ -13,7 +13,7 @@ FOLDER = BUILD / "subjects"
 MOST = 5  # inputs of one page
 MOST_ALIKE = 2  # that show the same fault
 STYLE = ("body{font:16px/1.45 sans-serif;max-width:60rem;margin:2rem auto;padding:0 1rem}pre{background:#f4f4f4;padding:.6rem;"
-         "overflow-x:auto}iframe{width:100%;height:24rem;border:1px solid #ccc}")
+         "white-space:pre-wrap}iframe{width:100%;height:40rem;border:1px solid #ccc}")
 
 
 @dataclass
@@ -48,7 +48,7 @@ def hull_finding(program, record, source, target, faces):
         return Finding(2, 0, record["case"], "an output without a volume", source, faces, words, verify, verdict("candidate-solid"))
     if not found["contains"]:
         distance = float(found["relative"] or 0)
-        within = f", within its promise of {program.promise}" if found.get("keeps_promise") else ""
+        within = f", within {program.promise}" if found.get("keeps_promise") else ""
         return Finding(5 if within else 3, distance, record["case"], f"{found['outside']} points outside, the worst by {distance:.2g} of "
                        f"the diameter{within}", source, faces, words, verify, verdict("contains-input", *([] if within else promise)))
     if found["planar"] is not None and not found["convex"]:
@@ -118,8 +118,8 @@ def write_subject(convexact, program, findings, inputs, options):
     shown, name = worst(findings), program.name + ("-real" if options.real else "")
     parts = [f'<!doctype html><meta charset="utf-8"><title>{name}</title><style>{STYLE}</style>', f"<h1>{name}</h1>",
              f"<p>{html.escape(program.version or 'this repository')}, {time.strftime('%Y-%m-%d')}: {inputs} inputs, "
-             f"{len(findings)} findings, the worst {len(shown)} below. It promises: {html.escape(program.promise or 'nothing')}. "
-             "A finding is a measurement, where the program promises nothing.</p>"]
+             f"{len(findings)} findings, the worst {len(shown)} below. The tolerance that it promises, or that is allowed to it: "
+             f"{html.escape(program.promise or 'none, so that its findings are measurements')}.</p>"]
     parts += [section(convexact, program, finding, options) for finding in shown]
     reducible = [finding for finding in shown if finding.shrink]
     if options.shrink and reducible:
