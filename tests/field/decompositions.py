@@ -27,7 +27,7 @@ from mutate import obj_text  # noqa: E402
 from programs import BUILD, NOT_HERE, ROOT, decomposers, own_seconds, run_program  # noqa: E402
 from reading import Mesh, read  # noqa: E402
 from run import number_options  # noqa: E402
-from tables import PARTS_MESHES, edit_page, parts_table, with_times, write_page  # noqa: E402
+from tables import PARTS_MESHES, edit_page, parts_matrix, parts_table, with_times, write_page  # noqa: E402
 from times import cell, timed_runs  # noqa: E402
 
 ASKED = "covers-points,covers-surface,parts-disjoint,parts-needed,parts-solid,parts-convex"
@@ -289,6 +289,9 @@ def main(arguments=None):
     Path(options.report).write_text(json.dumps({"records": records}, indent=1) + "\n")
     table = parts_table(records, programs)
     write_page("decompositions", table, options.page, [program.name for program in everything])
+    if options.page:
+        matrix = parts_matrix(edit_page("decompositions", str.strip))
+        edit_page("matrix", lambda old: matrix)
     print(table)
     return report(records, [program for program in programs if program.missing], options)
 

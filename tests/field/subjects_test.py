@@ -136,6 +136,14 @@ class Pages(unittest.TestCase):
                          "\n".join([head, new, old.replace("`a`", "`b`")]))
 
 
+    def test_the_matrix_counts_meshes_and_faults(self):
+        cells = {"parts": "2, 3", "points outside": "0, 1e-3%", "surface outside": "0, 0", "volume outside": "-, 0",
+                 "parts with faults": "8 flat, 12 pairs overlap"}
+        row = "| `a` | " + " | ".join(cells.get(name, "x") for name in tables.PARTS_HEAD[1:]) + " |"
+        self.assertEqual(tables.parts_matrix(f"head\nrule\n{row}\n").split("\n")[2],
+                         "| `a` | 1 of 2 | all | 1 of 2 | 8 | 0 | 12 | 0 | 5 |")
+
+
 class Memories(unittest.TestCase):
     def test_only_the_same_digest_counts(self):
         with tempfile.TemporaryDirectory() as folder:

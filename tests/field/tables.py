@@ -108,12 +108,14 @@ def with_old_rows(text, old, names):
 
 
 def edit_page(name, change):
-    """Puts change(table) in the place of the table between the two marks of that name in the page."""
+    """Puts change(table) in the place of the table between the two marks of that name in the page, and returns it."""
     page = PAGE.read_text()
     marks = re.search(rf"(<!-- {name}: .*?-->\n)(.*?)(<!-- end of {name} -->)", page, re.DOTALL)
     if not marks:
         raise ValueError(f"docs/field.md has no marks for {name}")
-    PAGE.write_text(page[:marks.start()] + marks[1] + "\n" + change(marks[2]) + "\n\n" + marks[3] + page[marks.end():])
+    table = change(marks[2])
+    PAGE.write_text(page[:marks.start()] + marks[1] + "\n" + table + "\n\n" + marks[3] + page[marks.end():])
+    return table
 
 
 def write_page(name, text, into_page, names):
@@ -196,3 +198,26 @@ def parts_table(records, programs):
         if all(mesh in found for mesh in PARTS_MESHES):
             rows.append(parts_row(program, [found[mesh] for mesh in PARTS_MESHES]))
     return markdown(PARTS_HEAD, rows, left=2)
+
+
+FAULTS = ("flat", "not convex", "pairs overlap", "within another")
+
+
+def matrix_row(cells):
+    """By question: on how many meshes nothing is outside; how many parts and faults there are in all."""
+    def held(name):
+        values = cells[name].split(", ")
+        return said(sum(value == "0" for value in values), len(values))
+
+    def count(words):
+        found = re.search(rf"(\d+) {words}", cells["parts with faults"])
+        return found[1] if found else "0"
+    parts = [int(word) for word in cells["parts"].split(", ") if word.isdigit()]
+    return [cells["decomposer"], held("points outside"), held("surface outside"), held("volume outside"), *map(count, FAULTS), str(sum(parts))]
+
+
+def parts_matrix(table):
+    """The table of decomposers in short, a column for each question."""
+    rows = [[word.strip() for word in line.strip("| ").split(" | ")] for line in table.strip().split("\n")[2:]]
+    head = ["decomposer", "holds all points", "all of the surface", "the solid", *FAULTS, "parts"]
+    return markdown(head, [matrix_row(dict(zip(PARTS_HEAD, row))) for row in rows])
