@@ -59,8 +59,6 @@ void reject_word(const std::string& option, const std::vector<std::string>& word
                                                       fmt::join(words, ", "), in_quotes(found)));
 }
 
-namespace {
-
 const BoundField& field_of(const std::string& name, const BoundFields& fields) {
   const auto field = std::find_if(fields.begin(), fields.end(), [&](const BoundField& known) {
     return known.info->name == name;
@@ -71,6 +69,8 @@ const BoundField& field_of(const std::string& name, const BoundFields& fields) {
   reject_argument(fmt::format("there is no option {}: expected options out of {}", in_quotes(name),
                               fmt::join(names, ", ")));
 }
+
+namespace {
 
 void read_value(const BoundField& field, const std::string& value) {
   const std::string& name = field.info->name;

@@ -121,6 +121,9 @@ template <class Request>
 ///               lists, for one that is given twice, and as Field::read.
 void read_options(const char* text, const BoundFields& fields);
 
+/// The option of a name. @throws Error InvalidArgument with all names if there is none.
+[[nodiscard]] const BoundField& field_of(const std::string& name, const BoundFields& fields);
+
 /// Options as they were given, for a request that is yet to be made.
 class GivenFields {
  public:
