@@ -7,6 +7,7 @@
 #include <set>
 
 #include "convexact/error.hpp"
+#include "convexact/number.hpp"
 #include "number/text.hpp"
 
 namespace convexact {
@@ -24,6 +25,26 @@ std::uint64_t parse_count(const std::string& option, const std::string& text,
                             range.least, range.most, in_quotes(text)));
   }
   return count;
+}
+
+double parse_decimal(const std::string& option, const std::string& text) {
+  try {
+    return nearest_double(text);
+  } catch (const Error&) {
+    reject_argument(option + ": expected a number, found " + in_quotes(text));
+  }
+}
+
+std::vector<std::string> words_of(const std::string& text) {
+  std::vector<std::string> words(1);
+  for (const char c : text) {
+    if (c == ',') {
+      words.emplace_back();
+    } else {
+      words.back() += c;
+    }
+  }
+  return words;
 }
 
 std::string option_of(const FieldInfo& field) {
