@@ -13,6 +13,7 @@
 #include "convexact/io.hpp"
 #include "io/json.hpp"
 #include "pages/answers.hpp"
+#include "teach/lesson_request.hpp"
 #include "wire/mesh_file.hpp"
 
 namespace {
@@ -69,10 +70,13 @@ void keep(const Find& find) {
 
 extern "C" {
 
-/// The answer to a request: answer_line_of(kind, line).
+/// The answer to a request: answer_line_of(kind, line); of `teach`, answer_lesson_request(line).
 EMSCRIPTEN_KEEPALIVE void convexact_answer(const char* kind, const char* line, std::size_t size) {
   mp_set_memory_functions(allocate, reallocate, release);
-  keep([&] { return answer_line_of(kind, {line, size}); });
+  const std::string_view asked = kind, request(line, size);
+  keep([&] {
+    return asked == "teach" ? answer_lesson_request(request) : answer_line_of(asked, request);
+  });
 }
 
 /// The shape in the bytes of a file, as a request has it: shape_in_file(name, bytes).

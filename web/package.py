@@ -10,6 +10,8 @@ import shutil
 import subprocess
 import sys
 
+# The scripts of a lesson, in the order of src/teach/lesson_page.cpp.
+LESSON = ("rational", "pane", "record", "chapters", "removals", "film", "storing", "lesson")
 WEB = pathlib.Path(__file__).resolve().parent
 ROOT = WEB.parent
 
@@ -39,6 +41,18 @@ def versions(out):
     return [path.stem for path in sorted((out / "sources").glob("*.dsc"))]
 
 
+def license_texts(out):
+    """Texts of licenses by the name of what is under them, as far as this machine has them: the LGPL's always."""
+    texts = {"GPL-3.0": out / "gmp" / "COPYINGv3", "LGPL-3.0": out / "gmp" / "COPYING.LESSERv3"}
+    for package in ("libboost-dev", "libeigen3-dev", "libfmt-dev", "libgmp-dev", "libmpfr-dev", "libpugixml-dev", "nlohmann-json3-dev"):
+        texts[package] = pathlib.Path("/usr/share/doc") / package / "copyright"
+    emcc = shutil.which("emcc")
+    emscripten = out / "debian" / "usr" / "share" / "emscripten" if (out / "debian").is_dir() or not emcc else pathlib.Path(emcc).resolve().parent
+    texts["musl"] = emscripten / "system" / "lib" / "libc" / "musl" / "COPYRIGHT"
+    texts["libcxx-credits"] = emscripten / "system" / "lib" / "libcxx" / "CREDITS.TXT"
+    return {name: path.read_text() for name, path in texts.items() if path.is_file() or name.endswith("GPL-3.0")}
+
+
 def make_package(out):
     package = out / "package"
     shutil.rmtree(package, ignore_errors=True)
@@ -48,6 +62,9 @@ def make_package(out):
     (package / "vectors.json").write_text(json.dumps(vectors(), separators=(",", ":")))
     notice = (package / "NOTICE.md").read_text()
     (package / "NOTICE.md").write_text(notice.replace("@SOURCES@", "\n".join(f"- `{name}`" for name in versions(out))))
+    (package / "licenses").mkdir()
+    for name, text in license_texts(out).items():
+        (package / "licenses" / f"{name}.txt").write_text(text)
     subprocess.run(["npm", "pack", "--silent", "--pack-destination", str(out)], cwd=package, check=True, stdout=sys.stderr)
 
 
@@ -62,12 +79,18 @@ def hash_of(script):
     return "'sha256-" + base64.b64encode(hashlib.sha256(script.encode()).digest()).decode() + "'"
 
 
-def scripts_of_pictures():
-    """The scripts on the pages that the module makes, which are shown in a frame of the page: src/pages/page/viewer.html."""
-    pages = ROOT / "src" / "pages"
-    names = {"FACETS": "page/facets.js", "LIBRARY": "vendor/three.min.js", "SHAPES": "page/shapes.js", "SCRIPT": "page/viewer.js"}
-    for script in re.findall(r"<script>(.*?)</script>", (pages / "page" / "viewer.html").read_text(), re.S):
-        yield re.sub(r"@(\w+)@", lambda mark: (pages / names[mark[1]]).read_text(), script)
+def scripts_in_the_frame():
+    """The scripts on the pages that the module makes, which are shown in a frame of the page: pictures and lessons."""
+    pages, lesson = ROOT / "src" / "pages", ROOT / "src" / "teach" / "page"
+    texts = {name: (pages / path).read_text() for name, path in {"FACETS": "page/facets.js", "LIBRARY": "vendor/three.min.js",
+                                                                 "SHAPES": "page/shapes.js", "SCRIPT": "page/viewer.js"}.items()}
+    yield from scripts_on(pages / "page" / "viewer.html", texts)
+    yield from scripts_on(lesson / "lesson.html", {"SCRIPT": "".join((lesson / f"{name}.js").read_text() for name in LESSON)})
+
+
+def scripts_on(page, texts):
+    for script in re.findall(r"<script>(.*?)</script>", page.read_text(), re.S):
+        yield re.sub(r"@(\w+)@", lambda mark: texts[mark[1]], script)
 
 
 def make_page(out):
@@ -83,7 +106,7 @@ def make_page(out):
         "WASM": base64.b64encode(gzip.compress(wasm, 9, mtime=0)).decode(),
         "WORKER": worker.replace("</", "<\\/"),
         "SCRIPT": script,
-        "HASHES": " ".join(map(hash_of, [script, *scripts_of_pictures()])),
+        "HASHES": " ".join(map(hash_of, [script, *scripts_in_the_frame()])),
     }
     page = re.sub(r"@([A-Z]+)@", lambda mark: texts[mark[1]], (source / "index.html").read_text())
     (out / "page").mkdir(exist_ok=True)

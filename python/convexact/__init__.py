@@ -80,7 +80,7 @@ def simplify(
     points: Any = None, faces: int | None = None, *, planes: Any = None, max_growth: Any = None, cost: str | None = None,
     engine: str | None = None, search: str | None = None, verify: str | None = None, seed: int | None = None,  # pylint: disable=redefined-outer-name
     growth_of: str | None = None, keep: Mapping[str, Any] | None = None, precision: int | None = None, trace: bool = False,
-    record: bool = False, progress: Any = None,
+    record: bool = False, progress: Any = None, moves: int | None = None, nodes: int | None = None,
 ) -> Simplified:
     """Few halfspaces that hold every point: the facets of the hull, less the ones whose removal adds least.
 
@@ -94,7 +94,8 @@ def simplify(
     keep : facets that stay, a dict of `ids`, `planes` (m, 4), `normals` (k, 3) with `degrees` (or the nearest facets), and
         `faces`, numbers of faces of a mesh; such as {"normals": [[0, 0, -1]]} for the side that a body stands on
     engine : 'exact', 'filtered' (the default) or 'float'
-    search : 'walk' or 'local', which improves the result
+    search : 'walk' or 'local', which improve the result, or 'optimal', which proves the least volume, or how far it may be
+    moves, nodes : how many random exchanges 'local' tries (20), and how many states 'optimal' examines at most
     precision : 64 or 32, in which `mesh` is stored; for float32 input 32
     trace, record : keep what trace() and proof() need
 
@@ -113,7 +114,8 @@ def simplify(
         raise InvalidArgument(f"precision: expected 32 or 64, found {precision!r}")
     rows, halfspaces, polygons = _shape_with_faces(points, planes)
     given = {"faces": faces, "max_growth": max_growth, "growth_of": growth_of, "cost": cost, "engine": engine, "search": search,
-             "verify": verify, "seed": seed, "precision": precision, "trace": trace or None, "record": record or None}
+             "moves": moves, "nodes": nodes, "verify": verify, "seed": seed, "precision": precision, "trace": trace or None,
+             "record": record or None}
     return Simplified(_core.simplify(rows, halfspaces, _inputs.options(given), _inputs.keep(keep, polygons),
                                      _inputs.progress(progress)))
 

@@ -54,20 +54,21 @@ Fields<SimplifyRequest> python_fields() {
     const Precision precision = text == "32" ? Precision::Binary32 : Precision::Binary64;
     return StoreRequest{precision, precision};
   };
-  Fields<R> fields = {
-      flag_field<R>("trace", &R::trace, "keep every step"),
-      flag_field<R>("record", &R::record, "keep what a proof needs"),
-      text_field<R>(
-          "precision", &R::store, read_precision, [](const StoreRequest&) { return "64"; },
-          "the numbers of the mesh and of the planes")};
-  fields.insert(fields.end(), simplify_call_fields().begin(), simplify_call_fields().end());
-  return fields;
+  return {flag_field<R>("trace", &R::trace, "keep every step"),
+          flag_field<R>("record", &R::record, "keep what a proof needs"),
+          text_field<R>(
+              "precision", &R::store, read_precision, [](const StoreRequest&) { return "64"; },
+              "the numbers of the mesh and of the planes")};
 }
 
-SimplifyRequest simplify_request(const Options& options) {
+SimplifyRequest simplify_request(Options options) {
   static const Fields<SimplifyRequest> fields = python_fields();
-  SimplifyRequest request;
-  apply(options, fields, request);
+  const Options own = taken(options, fields);
+  GivenFields given;
+  const BoundFields known = given.bound(simplify_call_fields());
+  for (const auto& [name, text] : options) field_of(name, known).read(name, text);
+  SimplifyRequest request = convexact::simplify_request(given);
+  apply(own, fields, request);
   return request;
 }
 

@@ -185,6 +185,20 @@ def test_traces_proofs_and_pickles() -> None:
         cx.simplify(CUBE, faces=6).proof()
 
 
+def test_searches() -> None:
+    # Without a corner of the unit cube its hull has seven facets; six hold it best as the cube again, of volume 1.
+    cut = [p for p in CUBE if p != [1, 1, 1]] + [[1, 1, 0.5], [1, 0.5, 1], [0.5, 1, 1]]
+    best = cx.simplify(cut, faces=6, search="optimal", nodes=1000)
+    assert best.volumes[1][0] <= 1 <= best.volumes[1][1] and best.document["search"]["optimum"]["proven"]
+    ball = cx.generate("random-ball")
+    greedy, local = (cx.simplify(ball, faces=8, **more) for more in ({}, {"search": "local", "moves": 3}))
+    assert local.volumes[1][0] <= greedy.volumes[1][1]
+    assert all(sum(Fraction(n) * Fraction(x) for n, x in zip(plane, [*p, 1])) <= 0 for plane in local.exact_planes for p in ball.tolist())
+    for wrong in ({"moves": 3}, {"nodes": 3}, {"search": "local", "nodes": 3}, {"growth_of": "area"}):
+        with pytest.raises(cx.InvalidArgument):
+            cx.simplify(CUBE, faces=6, **wrong)
+
+
 def test_inner_solids() -> None:
     points = cx.generate("random-ball", seed=2)
     inside = cx.inner(points, vertices=8)

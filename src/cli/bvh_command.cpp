@@ -29,13 +29,11 @@ constexpr const char* kBvhFooter =
     "  convexact query rays tree.json rays.txt\n"
     "  convexact verify cow.obj tree.json --union\n"
     "\n"
-    "Without --from the parts are those of convexact decompose, joined as the planes of cut or "
-    "the\n"
-    "splits of acd parted them, or by the next merges of hacd; groups that this leaves apart, and\n"
-    "parts from a file, are joined where the common hull has the least volume. Each hull is made\n"
-    "from its children's stored numbers, and is proven to hold them: a ray or a solid that misses "
-    "it\n"
-    "misses all below.\n"
+    "Without --from the parts are those of convexact decompose, joined as the planes of cut\n"
+    "or the splits of acd parted them, or by the next merges of hacd; groups that this leaves\n"
+    "apart, and parts from a file, are joined where the common hull has the least volume.\n"
+    "Each hull is made from its children's stored numbers, and is proven to hold them: a ray\n"
+    "or a solid that misses it misses all below.\n"
     "convexact decompose --tree writes parts, proof, picture and tree in one run.";
 
 // How parts are joined.

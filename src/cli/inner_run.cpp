@@ -4,16 +4,13 @@
 #include "convexact/io.hpp"
 #include "convexact/simplify.hpp"
 #include "io/json.hpp"
-#include "pages/picture.hpp"
+#include "pages/solids_picture.hpp"
 #include "wire/inner_report.hpp"
 #include "wire/simplify_options.hpp"
 #include "wire/trace_json.hpp"
 
 namespace convexact::cli {
 namespace {
-
-// Those that other runs do not have.
-const std::vector<std::string_view> kOfInnerRuns = {"vertices", "max_loss"};
 
 void require_sensible(const SimplifyArguments& options) {
   if (!options.keep.empty() || options.total_faces) {
@@ -57,26 +54,6 @@ InnerRequest inner_request_of(const SimplifyArguments& options) {
   return request;
 }
 
-std::string picture_of(const std::vector<FoundObject<InnerResult>>& objects) {
-  PictureLayer inner{.name = "inner hull", .color = "#56b4e9", .edges = true, .right = true};
-  PictureLayer input{.name = "input", .color = "#e69f00"};
-  PictureLayer hull{.name = "hull of the input", .color = "#8f8f8f", .opacity = 0.25};
-  for (const auto& [source, result] : objects) {
-    inner.add_to_pick(result.solid, objects.size() > 1 ? as_utf8(source.name) : "inner hull");
-    input.add(std::get<PointSet>(source.shape).doubles(), source.polygons);
-    std::vector<std::vector<std::uint32_t>> triangles;
-    for (const auto& [a, b, c] : result.start.triangles) {
-      triangles.push_back({a.value, b.value, c.value});
-    }
-    hull.add(result.start.points.doubles(), triangles);
-  }
-  return picture_html(
-      {.title = as_utf8(std::filesystem::path(objects[0].source.name).filename().string()),
-       .answer = with_separators(inner.points.size()) +
-                 " vertices of the input; their hull lies in its hull",
-       .layers = {std::move(inner), std::move(input), std::move(hull)}});
-}
-
 OutputFiles files_of(const std::vector<FoundObject<InnerResult>>& objects,
                      const OutputOptions& options) {
   OutputFiles files;
@@ -85,7 +62,11 @@ OutputFiles files_of(const std::vector<FoundObject<InnerResult>>& objects,
   for (const std::string& path : options.results) {
     files.emplace_back(path, proven_inner_bytes(results, path));
   }
-  if (!options.picture.empty()) files.emplace_back(options.picture, picture_of(objects));
+  if (!options.picture.empty()) {
+    std::vector<DrawnInner> drawn;
+    for (const auto& [source, result] : objects) drawn.push_back({source, result});
+    files.emplace_back(options.picture, picture_html(inner_picture(drawn)));
+  }
   if (!options.trace.empty()) {
     const InnerResult& result = objects[0].result;
     files.emplace_back(options.trace, write_inner_trace_json(result.start, result.run));
@@ -114,13 +95,13 @@ void add_inner_options(Command& command, SimplifyArguments& options) {
   command.add_flag("--inner", options.inner,
                    "remove vertices of the hull instead: a solid inside, losing as little volume "
                    "as possible");
-  add_fields(command, options.given.bound(inner_fields(), kOfInnerRuns));
+  add_fields(command, options.given.bound(inner_fields(), fields_of_inner_runs()));
 }
 
 void require_inner(const SimplifyArguments& options) {
   if (options.inner) return;
   for (const auto& [info, text] : options.given.all()) {
-    if (!is_wanted(*info, kOfInnerRuns)) continue;
+    if (!is_wanted(*info, fields_of_inner_runs())) continue;
     reject_argument(option_of(*info) + " applies only to an inner run; give --inner as well");
   }
 }

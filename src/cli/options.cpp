@@ -75,14 +75,6 @@ std::uint64_t parse_bytes(const std::string& option, const std::string& text) {
 
 }  // namespace
 
-double parse_decimal(const std::string& option, const std::string& text) {
-  try {
-    return nearest_double(text);
-  } catch (const Error&) {
-    expected(option, "a number", text);
-  }
-}
-
 double parse_seconds(const std::string& option, const std::string& text) {
   try {
     const double seconds = nearest_double(text);
@@ -109,20 +101,6 @@ std::string did_you_mean(const std::string& word, const std::vector<std::string>
     nearest = &other;
   }
   return nearest == nullptr ? "" : "; did you mean " + in_quotes(*nearest) + "?";
-}
-
-std::vector<std::string> words_of(const std::string& text) {
-  // A comma at the end, since the splitter ignores an empty last word.
-  return split(text + ",", ',');
-}
-
-std::vector<HalfspaceId> parse_ids(const std::string& option, const std::string& text) {
-  constexpr std::uint64_t kMost = std::numeric_limits<std::uint32_t>::max();
-  std::vector<HalfspaceId> ids;
-  for (const std::string& word : words_of(text)) {
-    ids.emplace_back(parse_count(option, word, {0, kMost}));
-  }
-  return ids;
 }
 
 Option add_text(
@@ -214,6 +192,17 @@ Option add_seconds(Command& command, const std::string& names, std::optional<dou
              command, names, meaning,
              [&value](const auto& name, const auto& text) { value = parse_seconds(name, text); })
       ->type_name("SECONDS");
+}
+
+Option add_keep_option(Command& command, std::vector<std::string>& texts) {
+  return command
+      .add_option("--keep", texts,
+                  "facets that stay, by id:N,..., plane:NX,NY,NZ,D, normal:X,Y,Z[:DEGREES] or "
+                  "group:NAME; with several objects PART/id:N; may be repeated")
+      ->expected(1)
+      ->allow_extra_args(false)  // an INPUT that need not be there may follow
+      ->take_all()
+      ->type_name("SELECTOR");
 }
 
 Option add_center_option(Command& command, std::string& text) {

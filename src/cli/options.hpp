@@ -22,9 +22,6 @@ namespace convexact::cli {
 /// Seconds: a decimal, more than 0 and at most a million. @throws Error InvalidArgument.
 [[nodiscard]] double parse_seconds(const std::string& option, const std::string& text);
 
-/// A decimal that is read by nearest_double(). @throws Error InvalidArgument.
-[[nodiscard]] double parse_decimal(const std::string& option, const std::string& text);
-
 /// Without blanks and ends of lines around it.
 [[nodiscard]] std::string trimmed(const std::string& text);
 
@@ -33,13 +30,6 @@ namespace convexact::cli {
 /// their neighbour.
 [[nodiscard]] std::string did_you_mean(const std::string& word,
                                        const std::vector<std::string>& known);
-
-/// The words between commas; an empty last one counts, too, so that "1," is no list of numbers.
-[[nodiscard]] std::vector<std::string> words_of(const std::string& text);
-
-/// "1217,33" as ids, each below 2^32. @throws Error InvalidArgument as parse_count().
-[[nodiscard]] std::vector<HalfspaceId> parse_ids(const std::string& option,
-                                                 const std::string& text);
 
 /// The values of words such as "exact,float"; a comma may follow the last one.
 /// @param others  Other values that the option takes, for the message.
@@ -119,6 +109,9 @@ Option add_seconds(Command& command, const std::string& names, std::optional<dou
 
 /// --tie-bits, the precision up to which mean widths are compared; the default is shown.
 Option add_tie_bits(Command& command, long& bits, const std::string& meaning);
+
+/// --keep: facets that a run must not remove (keep_selectors()); it may be repeated.
+Option add_keep_option(Command& command, std::vector<std::string>& texts);
 
 /// --center, of the polar dual; the default is shown.
 Option add_center_option(Command& command, std::string& text);

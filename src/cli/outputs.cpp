@@ -32,18 +32,15 @@ StoreRequest OutputOptions::store_request() const {
 }
 
 void OutputOptions::require_sensible() const {
-  std::string floats;  // a file of binary32
-  bool other_mesh = false;
   for (const std::string& path : results) {
     if (!mesh_format_of_path(path) && !halfspace_format_of_path(path)) {
       reject_argument(
           "-o " + path +
           ": expected an extension .obj, .off, .ply, .stl, .glb, .xyz, .json, .ine or .txt");
     }
-    if (is_binary32_only(path)) floats = path;
-    other_mesh = other_mesh || (mesh_format_of_path(path) && !is_binary32_only(path));
   }
-  if (!floats.empty() && (precision == 64 || (other_mesh && precision == 0))) {
+  const std::string floats = file_of_less_precision(results, precision);
+  if (!floats.empty()) {
     reject_argument("-o " + floats + ": " +
                     (mesh_format_of_path(floats) == MeshFormat::Stl ? "STL" : "GLB") +
                     " holds binary32 only: use --precision 32, or write it in a run of its own");

@@ -5,11 +5,11 @@
 #include <memory>
 
 #include "cli/inner_run.hpp"
-#include "cli/keep_option.hpp"
 #include "cli/outputs.hpp"
 #include "convexact/scene.hpp"
 #include "convexact/simplify.hpp"
 #include "io/json.hpp"
+#include "wire/keep_selectors.hpp"
 #include "wire/simplify_options.hpp"
 #include "wire/simplify_report.hpp"
 #include "wire/stage_report.hpp"
@@ -105,7 +105,7 @@ CommandAnswer answer_of(const FoundSolids& objects, const std::optional<FoundTot
 int run_each(const SimplifyArguments& options, const SimplifyRequest& request) {
   const auto requests = [&](const std::vector<SceneObject>& scene) {
     std::vector<SimplifyRequest> each(scene.size(), request);
-    const auto keep = keep_selectors(options.keep, scene);
+    const auto keep = keep_selectors("--keep", options.keep, scene);
     for (std::size_t k = 0; k < scene.size(); ++k) each[k].keep = keep[k];
     return each;
   };
@@ -152,7 +152,7 @@ int run_together(const SimplifyArguments& options, const SimplifyRequest& each) 
                   fmt::format("--total-faces {}: {} parts need 4 each, so at least {}",
                               *options.total_faces, scene.size(), 4 * scene.size()));
     }
-    SceneRequest request{each, *options.total_faces, keep_selectors(options.keep, scene)};
+    SceneRequest request{each, *options.total_faces, keep_selectors("--keep", options.keep, scene)};
     request.each.watch = watch;
     return simplify_together(std::move(scene), request, log, together);
   };

@@ -137,6 +137,9 @@ int run_teach(const TeachArguments& options) {
   request.watch = run.watch();
   const auto outcome = make_lesson(object, request);
   if (const auto* reason = std::get_if<NotSolid>(&outcome)) {
+    if (std::holds_alternative<FlatInput>(*reason)) {
+      run.note(object.name, "points in the plane z = 0 have a lesson of their own: teach --plane");
+    }
     return run.end_flat(object.name, *reason);
   }
   const auto& lesson = std::get<Lesson>(outcome);

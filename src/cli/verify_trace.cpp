@@ -2,11 +2,11 @@
 #include "cli/verify_trace.hpp"
 
 #include "cli/command_run.hpp"
-#include "cli/keep_option.hpp"
 #include "convexact/io.hpp"
 #include "convexact/scene.hpp"
 #include "convexact/verify_order.hpp"
 #include "simplify/run_names.hpp"
+#include "wire/keep_selectors.hpp"
 #include "wire/simplify_options.hpp"
 #include "wire/trace_verdict.hpp"
 
@@ -78,7 +78,7 @@ int run_verify_trace(const GlobalOptions& global, const std::string& input,
   const OrderText order = run.log().run("read the trace", StageKind::Io,
                                         [&] { return read_order(options, reading.decimal); });
   const std::vector<SceneObject> scene = run.read({input}, reading);
-  request.keep = keep_selectors(options.keep, scene)[0];
+  request.keep = keep_selectors("--keep", options.keep, scene)[0];
   request.watch = run.watch();
   const auto outcome = verify_order(scene[0].shape, order, request);
   if (const auto* reason = std::get_if<NotSolid>(&outcome)) return run.end_flat(scene[0], *reason);

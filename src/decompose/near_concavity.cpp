@@ -257,7 +257,8 @@ void NearConcavity::bound_rays(NearCluster& cluster, double limit) const {
     if (ray.high > found.low) longer.push_back(k);
   }
   const auto by_bound = [&](std::uint32_t a, std::uint32_t b) {
-    return cluster.rays[a].high > cluster.rays[b].high;
+    const double x = cluster.rays[a].high, y = cluster.rays[b].high;
+    return x > y || (x == y && a < b);
   };
   std::sort(longer.begin(), longer.end(), by_bound);
   for (const std::uint32_t k : longer) {

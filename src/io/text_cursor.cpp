@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "io/text_cursor.hpp"
 
+#include <array>
 #include <charconv>
 
 #include "number/text.hpp"
@@ -8,8 +9,20 @@
 namespace convexact {
 namespace {
 
-bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\v' || c == '\f'; }
-bool is_line_end(char c) { return c == '\n' || c == '\r'; }
+enum class Kind : unsigned char { Other, Blank, LineEnd, Backslash };
+
+// By table, since every byte of a file is asked.
+constexpr std::array<Kind, 256> kKinds = [] {
+  std::array<Kind, 256> kinds{};
+  for (const char c : {' ', '\t', '\v', '\f'}) kinds[static_cast<unsigned char>(c)] = Kind::Blank;
+  for (const char c : {'\n', '\r'}) kinds[static_cast<unsigned char>(c)] = Kind::LineEnd;
+  kinds['\\'] = Kind::Backslash;
+  return kinds;
+}();
+
+Kind kind_of(char c) { return kKinds[static_cast<unsigned char>(c)]; }
+bool is_blank(char c) { return kind_of(c) == Kind::Blank; }
+bool is_line_end(char c) { return kind_of(c) == Kind::LineEnd; }
 
 }  // namespace
 
@@ -19,9 +32,9 @@ TextCursor::TextCursor(std::string_view text, TextRules rules)
   if (text.substr(0, 3) == "\xEF\xBB\xBF") position_ += 3;
 }
 
-bool TextCursor::at_continuation() const {
-  return rules_.continuation && *position_ == '\\' &&
-         (position_ + 1 == end_ || is_line_end(position_[1]));
+// At a backslash: whether it joins this line with the next.
+bool TextCursor::is_continuation() const {
+  return rules_.continuation && (position_ + 1 == end_ || is_line_end(position_[1]));
 }
 
 void TextCursor::step_over_line_end() {
@@ -32,9 +45,10 @@ void TextCursor::step_over_line_end() {
 
 void TextCursor::skip_blanks() {
   while (position_ < end_) {
-    if (is_blank(*position_)) {
+    const Kind kind = kind_of(*position_);
+    if (kind == Kind::Blank) {
       ++position_;
-    } else if (at_continuation()) {
+    } else if (kind == Kind::Backslash && is_continuation()) {
       ++position_;
       if (position_ < end_) step_over_line_end();
     } else {
@@ -70,9 +84,10 @@ std::string_view TextCursor::token() {
   skip_blanks();
   if (at_line_end()) return {};
   const char* first = position_;
-  while (position_ < end_ && !is_blank(*position_) && !is_line_end(*position_) &&
-         !at_continuation()) {
-    ++position_;
+  for (; position_ < end_; ++position_) {
+    const Kind kind = kind_of(*position_);
+    if (kind == Kind::Other) continue;
+    if (kind != Kind::Backslash || is_continuation()) break;
   }
   return {first, static_cast<std::size_t>(position_ - first)};
 }

@@ -62,7 +62,7 @@ class TextCursor {
  private:
   void skip_blanks();
   bool at_line_end() const;
-  bool at_continuation() const;
+  bool is_continuation() const;
   void step_over_line_end();
 
   const char* begin_;

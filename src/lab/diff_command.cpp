@@ -4,7 +4,6 @@
 #include <memory>
 #include <optional>
 
-#include "cli/keep_option.hpp"
 #include "cli/outputs.hpp"
 #include "convexact/scene.hpp"
 #include "io/json_document.hpp"
@@ -12,6 +11,7 @@
 #include "lab/diff/diff.hpp"
 #include "lab/diff_clusters.hpp"
 #include "simplify/run_names.hpp"
+#include "wire/keep_selectors.hpp"
 
 namespace convexact::cli {
 namespace {
@@ -79,7 +79,7 @@ int run_diff(const DiffArguments& options) {
   request.seed = options.global.seed;
   request.watch = run.watch();
   std::vector<SceneObject> scene = run.read(options.inputs, options.scene);
-  const auto keep = keep_selectors(options.keep, scene);
+  const auto keep = keep_selectors("--keep", options.keep, scene);
   const auto found = on_each_object<DiffReport>(std::move(scene), run.log(),
                                                 [&](const Shape& shape, std::size_t k) {
                                                   request.keep = keep[k];

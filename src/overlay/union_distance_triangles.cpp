@@ -32,10 +32,15 @@ void NearTriangles::divide(std::uint32_t node, std::vector<Point>& middles) {
     of_middles.include(middles[order_[k]]);
   }
   nodes_[node].box = box;
-  if (count <= 4) return;
+  const auto begin = order_.begin() + first;
+  if (count <= 4) {
+    // Which triangles a half has is certain, but not their order, and the first of several at the
+    // same distance is the nearest one.
+    std::sort(begin, begin + count);
+    return;
+  }
   int axis = 0;
   (void)(of_middles.high - of_middles.low).maxCoeff(&axis);
-  const auto begin = order_.begin() + first;
   std::nth_element(begin, begin + count / 2, begin + count, [&](std::uint32_t a, std::uint32_t b) {
     return std::pair(middles[a][axis], a) < std::pair(middles[b][axis], b);
   });

@@ -19,6 +19,10 @@ std::string page_of_solid(const SceneObject& input, const Result& result) {
   return picture_html(solids_picture({drawn(input, result)}));
 }
 
+std::string page_of_inner(const SceneObject& input, const InnerResult& result) {
+  return picture_html(inner_picture({{input, result}}));
+}
+
 std::string page_of_verdict(const SceneObject& input, const Candidate& candidate,
                             const Verdict& verdict) {
   return picture_html(
@@ -35,7 +39,8 @@ std::string answer_line_of(std::string_view kind, std::string_view line,
                            std::optional<double> time_limit) {
   if (kind == "hull") return answer_hull_request(line, time_limit, page_of_solid<HullResult>);
   if (kind == "simplify") {
-    return answer_simplify_request(line, time_limit, page_of_solid<SimplifyResult>);
+    return answer_simplify_request(line, time_limit,
+                                   {page_of_solid<SimplifyResult>, page_of_inner});
   }
   if (kind == "verify") return answer_request(line, time_limit, page_of_verdict);
   if (kind == "decompose") return answer_decompose_request(line, time_limit, page_of_parts);

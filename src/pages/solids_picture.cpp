@@ -85,6 +85,25 @@ Picture solids_picture(const std::vector<DrawnSolid>& objects) {
   return picture;
 }
 
+Picture inner_picture(const std::vector<DrawnInner>& objects) {
+  PictureLayer inner{.name = "inner hull", .color = "#56b4e9", .edges = true, .right = true};
+  PictureLayer input{.name = "input", .color = "#e69f00"};
+  PictureLayer hull{.name = "hull of the input", .color = "#8f8f8f", .opacity = 0.25};
+  for (const auto& [source, result] : objects) {
+    inner.add_to_pick(result.solid, objects.size() > 1 ? as_utf8(source.name) : "inner hull");
+    input.add(std::get<PointSet>(source.shape).doubles(), source.polygons);
+    std::vector<std::vector<std::uint32_t>> triangles;
+    for (const auto& [a, b, c] : result.start.triangles) {
+      triangles.push_back({a.value, b.value, c.value});
+    }
+    hull.add(result.start.points.doubles(), triangles);
+  }
+  return {.title = as_utf8(std::filesystem::path(objects[0].source.name).filename().string()),
+          .answer = with_separators(inner.points.size()) +
+                    " vertices of the input; their hull lies in its hull",
+          .layers = {std::move(inner), std::move(input), std::move(hull)}};
+}
+
 DrawnSolid drawn(const SceneObject& source, const HullResult& result) {
   return {source, result.solid};
 }

@@ -28,4 +28,14 @@ struct DrawnSolid {
 /// whose facets can be picked. @param objects  At least one.
 [[nodiscard]] Picture solids_picture(const std::vector<DrawnSolid>& objects);
 
+/// An object and a solid inside its hull.
+struct DrawnInner {
+  const SceneObject& source;  ///< Points, maybe with faces.
+  const InnerResult& result;
+};
+
+/// The solids, whose facets can be picked, the inputs, and their hulls. @param objects  At least
+/// one.
+[[nodiscard]] Picture inner_picture(const std::vector<DrawnInner>& objects);
+
 }  // namespace convexact

@@ -7,6 +7,7 @@
 #include <set>
 
 #include "convexact/error.hpp"
+#include "convexact/number.hpp"
 #include "number/text.hpp"
 
 namespace convexact {
@@ -26,6 +27,26 @@ std::uint64_t parse_count(const std::string& option, const std::string& text,
   return count;
 }
 
+double parse_decimal(const std::string& option, const std::string& text) {
+  try {
+    return nearest_double(text);
+  } catch (const Error&) {
+    reject_argument(option + ": expected a number, found " + in_quotes(text));
+  }
+}
+
+std::vector<std::string> words_of(const std::string& text) {
+  std::vector<std::string> words(1);
+  for (const char c : text) {
+    if (c == ',') {
+      words.emplace_back();
+    } else {
+      words.back() += c;
+    }
+  }
+  return words;
+}
+
 std::string option_of(const FieldInfo& field) {
   std::string option = "--" + field.name;
   std::replace(option.begin(), option.end(), '_', '-');
@@ -38,8 +59,6 @@ void reject_word(const std::string& option, const std::vector<std::string>& word
                                                       fmt::join(words, ", "), in_quotes(found)));
 }
 
-namespace {
-
 const BoundField& field_of(const std::string& name, const BoundFields& fields) {
   const auto field = std::find_if(fields.begin(), fields.end(), [&](const BoundField& known) {
     return known.info->name == name;
@@ -50,6 +69,8 @@ const BoundField& field_of(const std::string& name, const BoundFields& fields) {
   reject_argument(fmt::format("there is no option {}: expected options out of {}", in_quotes(name),
                               fmt::join(names, ", ")));
 }
+
+namespace {
 
 void read_value(const BoundField& field, const std::string& value) {
   const std::string& name = field.info->name;

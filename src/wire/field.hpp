@@ -30,6 +30,12 @@ struct CountRange {
 [[nodiscard]] std::uint64_t parse_count(const std::string& option, const std::string& text,
                                         const CountRange& range);
 
+/// A decimal that is read by nearest_double(). @throws Error InvalidArgument.
+[[nodiscard]] double parse_decimal(const std::string& option, const std::string& text);
+
+/// The words between commas; an empty last one counts, too, so that "1," is no list of numbers.
+[[nodiscard]] std::vector<std::string> words_of(const std::string& text);
+
 /// A count as a number that may have fewer bits, as std::size_t on 32-bit machines. Its largest one
 /// stands for all beyond it: a machine never holds more.
 template <std::integral Number>
@@ -114,6 +120,9 @@ template <class Request>
 /// @throws Error InvalidArgument, naming the option, for one that is not among the fields, which it
 ///               lists, for one that is given twice, and as Field::read.
 void read_options(const char* text, const BoundFields& fields);
+
+/// The option of a name. @throws Error InvalidArgument with all names if there is none.
+[[nodiscard]] const BoundField& field_of(const std::string& name, const BoundFields& fields);
 
 /// Options as they were given, for a request that is yet to be made.
 class GivenFields {

@@ -17,8 +17,16 @@ bool is_binary32_only(const std::string& name) {
   return format && holds_binary32_only(*format);
 }
 
+std::string file_of_less_precision(const std::vector<std::string>& names, int precision) {
+  const auto found = std::find_if(names.rbegin(), names.rend(), is_binary32_only);
+  if (found == names.rend() || precision == 32) return {};
+  const bool is_alone = std::none_of(names.begin(), names.end(), [](const std::string& name) {
+    return mesh_format_of_path(name) && !is_binary32_only(name);
+  });
+  return precision == 0 && is_alone ? std::string() : *found;
+}
+
 bool is_result_file(const std::string& name) {
-  if (is_binary32_only(name)) return false;
   return is_proof(name) || mesh_format_of_path(name) || halfspace_format_of_path(name);
 }
 

@@ -14,8 +14,12 @@ namespace convexact {
 /// Whether it is a mesh of numbers in binary32, by the extension: STL and GLB.
 [[nodiscard]] bool is_binary32_only(const std::string& name);
 
-/// Whether a text holds the file: a mesh or halfspaces by the extension, but for STL and GLB, which
-/// are bytes; or a proof.
+/// The last file of binary32 only that one run cannot write beside the others: the precision is
+/// 64, or it is open and another mesh asks for binary64. Empty if there is none.
+[[nodiscard]] std::string file_of_less_precision(const std::vector<std::string>& names,
+                                                 int precision);
+
+/// A mesh or halfspaces by the extension, or a proof.
 [[nodiscard]] bool is_result_file(const std::string& name);
 
 /// Whether one of the files needs the record of a run.

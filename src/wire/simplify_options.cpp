@@ -137,6 +137,11 @@ const Fields<InnerRequest>& inner_fields() {
   return fields;
 }
 
+const std::vector<std::string_view>& fields_of_inner_runs() {
+  static const std::vector<std::string_view> names = {"vertices", "max_loss"};
+  return names;
+}
+
 SimplifyRequest simplify_request(const GivenFields& given) {
   SimplifyRequest request;
   given.apply_to(request, simplify_call_fields());
@@ -186,14 +191,7 @@ Rational parse_share(const std::string& option, const std::string& text) {
 
 std::optional<RationalPoint> parse_center(const std::string& option, const std::string& text) {
   if (text == "chebyshev") return std::nullopt;
-  std::vector<std::string> words(1);
-  for (const char c : text) {
-    if (c == ',') {
-      words.emplace_back();
-    } else {
-      words.back() += c;
-    }
-  }
+  const std::vector<std::string> words = words_of(text);
   if (words.size() == 3) {
     try {
       return RationalPoint(parse_rational(words[0]), parse_rational(words[1]),

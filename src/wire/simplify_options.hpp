@@ -4,6 +4,8 @@
 #pragma once
 #include <optional>
 #include <string>
+#include <string_view>
+#include <vector>
 
 #include "convexact/simplify.hpp"
 #include "io/names.hpp"
@@ -33,6 +35,9 @@ inline constexpr CountRange kTieBits{128, 1 << 20};
 
 /// `faces` are triangles here: as many vertices as have no more.
 [[nodiscard]] const Fields<InnerRequest>& inner_fields();
+
+/// The names of those that simplify_fields() has not.
+[[nodiscard]] const std::vector<std::string_view>& fields_of_inner_runs();
 
 /// The request with these options. @throws Error InvalidArgument for one that refines another
 /// option that was not given.

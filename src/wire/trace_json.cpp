@@ -68,7 +68,7 @@ Json moves_json(const std::vector<Move>& moves) {
   return list;
 }
 
-std::string write_trace_json(const Run& run) {
+Json trace_json(const Run& run) {
   Json halfspaces = Json::array(), steps = Json::array();
   for (const Halfspace& halfspace : run.halfspaces) halfspaces.push_back(plane_json(halfspace));
   for (const Step& step : run.steps) steps.push_back(step_json(step));
@@ -79,21 +79,26 @@ std::string write_trace_json(const Run& run) {
                    {"stop", name_of(run.stop)}};
   if (!run.kept.empty()) document["kept"] = run.kept;
   if (!run.moves.empty()) document["moves"] = moves_json(run.moves);
-  return write_json(document) + "\n";
+  return document;
 }
 
-std::string write_inner_trace_json(const VertexHull& start, const InnerRun& run) {
+std::string write_trace_json(const Run& run) { return write_json(trace_json(run)) + "\n"; }
+
+Json inner_trace_json(const VertexHull& start, const InnerRun& run) {
   Json vertices = Json::array(), steps = vertices;
   for (std::size_t v = 0; v < start.ids.size(); ++v) {
     vertices.push_back({{"point", start.ids[v]}, {"at", vector_json(start.points[PointId(v)])}});
   }
   for (const Step& step : run.steps) steps.push_back(step_json(step));
-  const Json document = {{"inner_trace", 1},
-                         {"vertices", std::move(vertices)},
-                         {"triangles", start.triangles},
-                         {"steps", std::move(steps)},
-                         {"stop", name_of(run.stop)}};
-  return write_json(document) + "\n";
+  return {{"inner_trace", 1},
+          {"vertices", std::move(vertices)},
+          {"triangles", start.triangles},
+          {"steps", std::move(steps)},
+          {"stop", name_of(run.stop)}};
+}
+
+std::string write_inner_trace_json(const VertexHull& start, const InnerRun& run) {
+  return write_json(inner_trace_json(start, run)) + "\n";
 }
 
 }  // namespace convexact

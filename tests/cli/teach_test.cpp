@@ -99,7 +99,9 @@ TEST_CASE("teach: what it does not take") {
   CHECK(open.exit == 4);
   CHECK(json::parse(open.out)["error"].contains("proof"));
   const std::string flat = scratch.write("flat.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0\n");
-  CHECK(run_program("teach " + flat + " -o " + scratch.file("flat.html")).exit == 4);
+  const Ran plane = run_program("teach " + flat + " -o " + scratch.file("flat.html"));
+  CHECK(plane.exit == 4);
+  CHECK(plane.err.find("teach --plane") != std::string::npos);
   CHECK(bytes_of(scratch.file("flat.html")).empty());
   const std::string nan = scratch.write("nan.obj", "v 0 0 nan\n");
   CHECK(run_program("teach " + nan + " --json").exit == 3);

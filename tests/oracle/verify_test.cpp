@@ -59,7 +59,23 @@ TEST_CASE("verify: the input's own hull passes, and nothing is left between them
   CHECK(verdict.outside->tested == 8);
   CHECK(verdict.size.planes_of_the_input->size() == 6);
   CHECK(verdict.tightness->squared_hausdorff == 0);
-  CHECK(verdict.tightness->volume_ratio.contains(1));
+  for (const Enclosure& ratio : {verdict.tightness->volume_ratio, verdict.tightness->area_ratio,
+                                 verdict.tightness->mean_width_ratio}) {
+    CHECK(ratio.low() == 1);
+    CHECK(ratio.high() == 1);
+  }
+}
+
+TEST_CASE("verify: a solid with as many facets and corners as the hull, larger by one bit") {
+  // All corners of the cube, times 1 + 2^-52.
+  const Verdict verdict = judge_obj(corners("1.0000000000000002220446049250313") + kQuads);
+  const Rational grown = 1 + Rational(1, Integer(1) << 52);
+  CHECK(verdict.holds());
+  CHECK(verdict.tightness->squared_hausdorff == 3 * (grown - 1) * (grown - 1));
+  CHECK(verdict.tightness->volume_ratio.contains(grown * grown * grown));
+  CHECK(verdict.tightness->area_ratio.contains(grown * grown));
+  CHECK(verdict.tightness->mean_width_ratio.contains(grown));
+  CHECK(verdict.tightness->volume_ratio.low() > 1);
 }
 
 TEST_CASE("verify: twice the cube, in numbers") {

@@ -5,6 +5,7 @@
   campaign.py                   all faults that a switch can hold, in build/campaign
   campaign.py --only surface    those whose kind, place or text holds this
   campaign.py --drawn 8         and 8 mutants of each room that has fewer than ten faults in the list, by lot
+  campaign.py --rooms check,near --drawn 80    80 mutants of each of these rooms, and no fault of the list
   campaign.py --markdown FILE   a table by room, too
 
 The tests run once to find which test cases get to the place of which fault; then, for each fault, those cases
@@ -43,6 +44,7 @@ TESTS = {
     'conform': ['oracle', 'oracle_programs', 'cli'], 'parts': ['decompose_scene', 'wire'], 'proof': ['check', 'check_mutated'],
     'solid': ['simplify', 'scene'], 'wire': ['wire', 'oracle', 'cli', 'cli of decompositions'],
     'measure': ['measure', 'simplify'], 'number': ['number', 'geometry', 'measure', 'fast'], 'pages': ['report', 'teach', 'cli of decompositions'],
+    'near': ['hull', 'stored_planes', 'stored_mesh', 'containment', 'growth', 'fast'],
     'query': ['query', 'hull_trees', 'cli'], 'shapes': ['shapes', 'hull', 'cli'],
     'capi': ['capi'], 'search': ['search', 'search_property', 'hull_trees'],
 }
@@ -55,14 +57,14 @@ def listed():
         yield Fault(kind, place, file, at, old, new, tests.split())
 
 
-def drawn(count, seed):
-    """Mutants by lot, `count` in each room that has few faults in the list."""
+def drawn(count, seed, rooms_asked):
+    """Mutants by lot, `count` in each room that is asked for, or has few faults in the list."""
     have = collections.Counter(fault[1].split('/')[0] for fault in FAULTS)
     rooms = collections.defaultdict(list)
     for path in sources(('src',)):
         rooms[path.parent.relative_to(ROOT / 'src').as_posix()].append(path)
     for room, paths in sorted(rooms.items()):
-        if have[room] >= FEW or room in ('.', 'pch'):
+        if room not in rooms_asked if rooms_asked else have[room] >= FEW or room in ('.', 'pch'):
             continue
         found = []
         for path in paths:
@@ -235,9 +237,11 @@ def main():
     parser.add_argument('--markdown', type=pathlib.Path, help='also write the table by room here')
     parser.add_argument('--drawn', type=int, default=0, metavar='N')
     parser.add_argument('--seed', type=int, default=1, help='of those drawn')
+    parser.add_argument('--rooms', default=(), type=lambda names: names.split(','), help='draw from these only')
     arguments = parser.parse_args()
     # All are built, so that another choice needs no build.
-    campaign = Campaign(arguments.folder.resolve(), [*listed(), *drawn(arguments.drawn, arguments.seed)])
+    faults = [] if arguments.rooms else [*listed()]
+    campaign = Campaign(arguments.folder.resolve(), faults + [*drawn(arguments.drawn, arguments.seed, arguments.rooms)])
     chosen = [k for k, fault in enumerate(campaign.faults)
               if any(arguments.only in part for part in (fault.kind, fault.place, fault.old, fault.new))]
     campaign.build()

@@ -27,7 +27,8 @@ _SIGNS = ['fast_plane_filter', 'fast', 'fast_audit', 'fast_agreement_sample', 'f
 # Sources of a group, and the tests that are asked about each, cheapest first.
 GROUPS = {
     'checker': {'src/check/' + name: ['check', 'check_mutated']
-                for name in ('convexact_check.cpp', 'exact.hpp', 'root_sum.hpp', 'text.hpp', 'mesh_file.hpp')},
+                for name in ('convexact_check.cpp', 'decomposition.hpp', 'exact.hpp', 'mesh_file.hpp', 'partition.hpp', 'reach.hpp',
+                          'root_sum.hpp', 'surface.hpp', 'text.hpp')},
     'predicates': {
         _GEO + 'orient3d.cpp': ['geometry', 'hull'],
         _GEO + 'orient3d_stages.hpp': ['geometry', 'hull'],
@@ -40,7 +41,7 @@ GROUPS = {
         _NUMBER + 'roundoff.hpp': ['number', 'geometry', *_SIGNS],
         _NUMBER + 'expansion.hpp': ['number', 'geometry'],
         _FAST + 'signs.hpp': _SIGNS,
-        _HULL + 'near_geometry.hpp': ['hull'],
+        'src/near/near_geometry.hpp': ['hull'],
         _HULL + 'exact_points.hpp': ['hull'],
         _NUMBER + 'double_double.hpp': ['number', *_SIGNS],
     },

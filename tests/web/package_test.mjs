@@ -65,6 +65,33 @@ const claims = {
     const mesh = await cx.read(new TextEncoder().encode(found.files["a.obj"]), "a.obj");
     assert.ok((await cx.verify(points, mesh, {asks: "enclosure"})).ok);
   },
+  "STL and GLB are bytes, and hold every point": async () => {
+    const points = Float64Array.from({length: 90}, (_, k) => Math.sin(k * k));
+    const {files} = await cx.simplify(points, {faces: 9, files: ["a.stl", "a.glb"]});
+    assert.equal(files["a.stl"].length, 84 + 50 * new DataView(files["a.stl"].buffer).getUint32(80, true));
+    for (const [name, bytes] of Object.entries(files)) {
+      assert.ok(bytes instanceof Uint8Array);
+      assert.ok((await cx.verify(points, await cx.read(bytes, name), {asks: "enclosure"})).ok, name);
+    }
+    await assert.rejects(cx.hull(points, {files: ["a.obj", "a.glb"]}), /precision 32 with a.glb/);
+  },
+  "a cut that is kept, its trace, and a solid inside": async () => {
+    // A cube of edge 2 less the corner beyond x + y + z = 2, of volume 1/6.
+    const planes = [[1, 0, 0, -1], [-1, 0, 0, -1], [0, 1, 0, -1], [0, -1, 0, -1], [0, 0, 1, -1], [0, 0, -1, -1], [1, 1, 1, -2]];
+    const found = await cx.simplify({planes}, {faces: 6, trace: true, exact_values: true});
+    assert.equal(found.trace.steps[0].cost.exact, "1/6");
+    const kept = await cx.simplify({planes}, {faces: 6, keep: ["plane:1,1,1,-2"], exact_values: true});
+    assert.equal(kept.volume.output.exact, "12");                   // 47/6, and a cap of 25/6
+    const cube = [..."01234567"].map(k => [k & 1, k >> 1 & 1, k >> 2]);
+    const inner = await cx.simplify(cube, {inner: true, vertices: 7, exact_values: true});
+    assert.equal(inner.volume.output.exact, "5/6");
+    assert.equal(inner.output.points.length, 7);
+  },
+  "a lesson is a page": async () => {
+    const {page, left_out} = await cx.teach([..."01234567"].map(k => [k & 1, k >> 1 & 1, k >> 2]), {faces: 6, name: "a <cube>"});
+    assert.match(page, /^<!DOCTYPE html>[^]*<title>a &lt;cube&gt;: polar duality/);
+    assert.deepEqual(left_out, []);
+  },
   "a missing corner of a cube has a witness": async () => {
     const cube = Float64Array.from([..."01234567"].flatMap(k => [k & 1, k >> 1 & 1, k >> 2]));
     const verdict = await cx.verify(cube, cube.slice(0, 21), {asks: "hull"});
@@ -127,6 +154,7 @@ const claims = {
   },
   "what is linked in is named": () => {
     assert.match(readFileSync(join(installed, "NOTICE.md"), "utf8"), /gmp_[0-9.]+.*\n- `mpfr4_/);
+    assert.match(readFileSync(join(installed, "licenses", "LGPL-3.0.txt"), "utf8"), /GNU LESSER GENERAL PUBLIC LICENSE/);
   },
 };
 

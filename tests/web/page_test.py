@@ -124,6 +124,33 @@ def check_parts(page, screenshots):
         page.screenshot(screenshots / "parts.png", whole=False)
 
 
+def check_files_of_bytes(page):
+    """GLB is made when it is asked for."""
+    page.evaluate('document.querySelector("[data-example=ball]").click()')
+    wait_for_sentence(page, "^ball: a hull")
+    assert saved(page, "ball-hull.glb").startswith("glTF")
+    wait_for(page, 'document.getElementById("work").hidden')
+
+
+def check_lesson(page, screenshots):
+    """It is in the frame, under an address of its own, and its script runs: that it may, the policy says."""
+    page.evaluate('document.querySelector("[data-example=stairs]").click()')
+    wait_for_sentence(page, "^stairs: a hull")
+    page.evaluate('document.querySelector("#teach button").click()')
+    assert wait_for_sentence(page, "^A lesson on").startswith("A lesson on stairs")
+    lesson = saved(page, "stairs-lesson.html")
+    assert "<title>stairs: polar duality, step by step</title>" in lesson
+    script = re.findall("<script>(.*?)</script>", lesson, re.S)
+    assert len(script) == 1
+    digest = base64.b64encode(hashlib.sha256(script[0].encode()).digest()).decode()
+    assert f"'sha256-{digest}'" in page.evaluate(POLICY)
+    assert page.evaluate('document.getElementById("picture").src.startsWith("blob:") && !document.getElementById("picture").srcdoc')
+    time.sleep(2)
+    assert page.complaints == [], page.complaints
+    if screenshots:
+        page.screenshot(screenshots / "lesson.png", whole=False)
+
+
 def check_faults(page):
     drop(page, ["broken.obj", "v 0 0 0\nv 1 2 x\n"])
     assert wait_for_sentence(page, "^broken") == "broken.obj:2: expected a number, found 'x'"
@@ -223,6 +250,8 @@ def main():
     check_verdict(page, screenshots)
     check_enclosure(page, screenshots)
     check_parts(page, screenshots)
+    check_files_of_bytes(page)
+    check_lesson(page, screenshots)
     assert page.complaints == [], page.complaints
     check_faults(page)
     check_cancel(page)
@@ -231,7 +260,7 @@ def main():
     check_phone(screenshots)
     check_no_connection(page)
     check_package()
-    print("the page: hull, verdict, enclosure, parts, faults, cancel, a file of 100 MB, keys, a phone; no connection; the package")
+    print("the page: hull, verdict, enclosure, parts, GLB, a lesson, faults, cancel, a file of 100 MB, keys, a phone; no connection; the package")
     return 0
 
 

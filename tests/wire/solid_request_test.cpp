@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "convexact/io.hpp"
+#include "io/base64.hpp"
 #include "json_schema.hpp"
 #include "pages/answers.hpp"
 
@@ -85,6 +86,80 @@ TEST_CASE("solid request: files are those of the command line, and hold every po
             .find("&lt;i&gt;") != std::string::npos);
 }
 
+TEST_CASE("solid request: STL and GLB are in base64, alone or with numbers in binary32") {
+  const json found = ask("hull", cube_points(), {{"files", {"a.stl", "b.glb"}}});
+  const auto bytes_of = [](const json& file) {
+    return from_base64(file["base64"].get<std::string>());
+  };
+  const std::string stl = bytes_of(found["files"]["a.stl"]);
+  CHECK(stl.size() == 84 + 12 * 50);  // two triangles for each side, by the format
+  CHECK(read_mesh_bytes(stl).polygons.size() == 12);
+  CHECK(bytes_of(found["files"]["b.glb"]).starts_with("glTF"));
+  const json both = {{"files", {"a.obj", "b.glb"}}};
+  CHECK(ask("simplify", cube_points(), {{"faces", 6}, {"precision", 32}, {"files", both["files"]}})
+            .at("files")
+            .size() == 2);
+  json request = cube_points();
+  request.update(both);
+  CHECK(message("hull", request.dump())
+            .starts_with("expected precision 32 with b.glb, which holds binary32 only"));
+}
+
+TEST_CASE("simplify request: the cut is kept, and a side goes") {
+  // A cap of 25/48 in units of the cube, whose edge is 2: 47/6 + 25/6.
+  for (const char* selector : {"plane:1,1,1,-2", "normal:1,1,1"}) {
+    const json found =
+        ask("simplify", cut_cube(), {{"faces", 6}, {"keep", {selector}}, {"exact_values", true}});
+    CHECK(found["kept"]["ids"].size() == 1);
+    CHECK(found["volume"]["output"]["exact"] == "12");
+  }
+  json request = cut_cube();
+  request.update({{"faces", 6}, {"keep", {"group:a"}}});
+  CHECK(message("simplify", request.dump()).starts_with("expected keep as texts id:N"));
+  request["keep"] = {"id:7"};
+  CHECK(message("simplify", request.dump()).starts_with("keep id:7: "));
+}
+
+TEST_CASE("simplify request: a trace has the step and its exact cost") {
+  const json trace = ask("simplify", cut_cube(), {{"faces", 6}, {"trace", true}})["trace"];
+  CHECK(schema_complaint("trace", trace) == "");
+  CHECK(trace["steps"].size() == 1);
+  CHECK(trace["steps"][0]["cost"]["exact"] == "1/6");  // the corner
+  CHECK_FALSE(ask("simplify", cut_cube(), {{"faces", 6}}).contains("trace"));
+}
+
+TEST_CASE("simplify request: an inner run of a cube loses a corner, 1/6") {
+  const json options = {{"inner", true},
+                        {"exact_values", true},
+                        {"picture", true},
+                        {"trace", true},
+                        {"files", {"a.obj", "a.ine"}}};
+  for (json limit : {json{{"vertices", 7}}, json{{"max_loss", "17%"}}, json{{"max_loss", 0.17}}}) {
+    limit.update(options);
+    const json found = ask("simplify", cube_points(), limit);
+    CHECK(found["volume"]["output"]["exact"] == "5/6");
+    CHECK(found["output"]["vertices"] == 7);
+    CHECK(read_mesh_bytes(found["files"]["a.obj"].get<std::string>()).points.size() == 7);
+    CHECK(found["trace"]["steps"][0]["cost"]["exact"] == "1/6");
+    CHECK(found["picture"].get<std::string>().starts_with("<!DOCTYPE html>"));
+  }
+}
+
+TEST_CASE("simplify request: an inner run has no halfspaces, no binary32 and no proof") {
+  const auto says = [](json request, const json& options, const char* beginning) {
+    request.update({{"inner", true}, {"vertices", 7}});
+    request.update(options);
+    CHECK(message("simplify", request.dump()).starts_with(beginning));
+  };
+  says(cut_cube(), json::object(), "expected points for an inner run");
+  says(cube_points(), {{"keep", {"id:0"}}}, "expected keep without inner only");
+  says(cube_points(), {{"precision", 32}}, "expected no precision with inner");
+  says(cube_points(), {{"files", {"a.proof"}}}, "expected a proof of removals of halfspaces only");
+  says(cube_points(), {{"files", {"a.stl"}}}, "a.stl: STL and GLB hold binary32");
+  says(cube_points(), {{"cost", "area"}}, "--cost does not apply to an inner run");
+  says(cube_points(), {{"inner", false}}, "expected vertices with inner only");
+}
+
 TEST_CASE("solid request: faults name what was expected") {
   CHECK(message("hull", "{}") == "expected a request with 'points' or with 'planes'");
   CHECK(message("hull", R"({"points": [], "planes": []})") ==
@@ -97,7 +172,7 @@ TEST_CASE("solid request: faults name what was expected") {
   CHECK(message("hull", R"({"planes": [["a", "b", "c", "d"]]})").ends_with("found 'a'"));
   CHECK(message("hull", R"({"points": [["a", "b", "c"]]})").ends_with("found 'a'"));
   CHECK(message("hull", R"({"points": [], "digits": 0})") == "expected digits from 1 to 10000");
-  CHECK(message("simplify", R"({"points": [], "files": ["a.stl"], "faces": 4})")
+  CHECK(message("simplify", R"({"points": [], "files": ["a.fbx"], "faces": 4})")
             .starts_with("expected files as names that end in"));
   CHECK(message("simplify", R"({"points": [], "precision": 16, "faces": 4})") ==
         "expected precision as 64 or 32");

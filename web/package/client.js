@@ -39,6 +39,8 @@ export class Convexact {
   verify(shape, candidate, options) { return this.#ask("verify", {shape, candidate, options}); }
   /** Few convex parts that hold a solid. */
   decompose(mesh, options) { return this.#ask("decompose", {shape: mesh, options}); }
+  /** The construction of a shape step by step, as a page. */
+  teach(shape, options) { return this.#ask("teach", {shape, options}); }
   /** The shape in the bytes of a file. */
   read(bytes, name) { return this.#send({kind: "read", name, bytes}); }
   /** Judges a function over inputs with known answers. */

@@ -38,7 +38,8 @@ export interface Options {
   seed?: number;
 }
 export interface FileOptions extends Options {
-  /** Files to be made, by extension: .obj .off .ply .xyz .json .ine .txt; of simplify also .proof. */
+  /** Files to be made, by extension: .obj .off .ply .stl .glb .xyz .json .ine .txt; of simplify also .proof. STL and GLB
+   *  hold binary32: beside another mesh they need `precision: 32`. */
   files?: string[];
   precision?: 64 | 32;
   /** Volumes as fractions, too. */
@@ -62,6 +63,32 @@ export interface SimplifyOptions extends FileOptions {
   nodes?: number;
   tie_bits?: number;
   center?: string;
+  /** Facets that stay: "id:12,13", "plane:0,0,1,-1", "normal:0,0,-1" or "normal:0,0,-1:10" (degrees). */
+  keep?: string[];
+  /** Whether the answer has every step, with its exact cost. */
+  trace?: boolean;
+  inner?: false;
+}
+/** Removes vertices of the hull, so that the solid lies inside. */
+export interface InnerOptions extends Omit<FileOptions, "precision"> {
+  inner: true;
+  /** Vertices to keep, at least 4; or `faces`, at most so many triangles. */
+  vertices?: number;
+  faces?: number;
+  /** Such as "5%". */
+  max_loss?: string | number;
+  engine?: "exact" | "filtered";
+  verify?: "none" | "local" | "full";
+  trace?: boolean;
+}
+export interface TeachOptions extends Pick<Options, "decimal" | "numbers" | "name" | "seed"> {
+  /** Halfspaces to keep, at least 4. */
+  faces?: number;
+  cost?: "volume" | "area" | "mean-width";
+  /** Further costs to show. */
+  measures?: ("volume" | "area" | "mean-width")[];
+  center?: string;
+  precision?: 64 | 32;
 }
 export interface VerifyOptions extends Options {
   asks?: "enclosure" | "hull" | "inner" | "simplify";
@@ -85,7 +112,8 @@ export interface DecomposeOptions extends Options {
 }
 
 interface WithFiles {
-  files?: Record<string, string>;
+  /** By name: the text of a file, and the bytes of STL and GLB. */
+  files?: Record<string, string | Uint8Array>;
   picture?: string;
 }
 export interface Hull extends WithFiles {
@@ -112,7 +140,24 @@ export interface Enclosure extends WithFiles {
   volume: Growth;
   area?: Growth;
   mean_width?: Growth;
+  /** Of a request with `trace`. */
+  trace?: Record<string, unknown>;
   [more: string]: unknown;
+}
+export interface Inner extends WithFiles {
+  inner: true;
+  input: { points: number; hull_vertices: number; halfspaces: number };
+  /** `points` are the places of the vertices in the input. */
+  output: { vertices: number; triangles: number; stop: string; points: number[]; planes: [Exact, Exact, Exact, Exact][]; [more: string]: unknown };
+  volume: Growth;
+  trace?: Record<string, unknown>;
+  [more: string]: unknown;
+}
+export interface Lesson {
+  /** HTML that needs no other file. */
+  page: string;
+  /** Chapters that a large shape has not, with reasons. */
+  left_out: { chapter: string; why: string }[];
 }
 export interface Claim {
   code: string;
@@ -165,9 +210,11 @@ export class ConvexactError extends Error {
 
 export interface Convexact {
   hull(shape: Shape, options?: HullOptions): Promise<Hull>;
+  simplify(shape: Points | Mesh, options: InnerOptions): Promise<Inner>;
   simplify(shape: Shape, options?: SimplifyOptions): Promise<Enclosure>;
   verify(shape: Shape, candidate: Candidate, options?: VerifyOptions): Promise<Verdict>;
   decompose(mesh: Mesh, options?: DecomposeOptions): Promise<Decomposition>;
+  teach(shape: Shape, options?: TeachOptions): Promise<Lesson>;
   read(bytes: Uint8Array, name: string): Promise<{ points: Float64Array; triangles: number[][]; notes: string[] } | { planes: Exact[][] }>;
   conform(
     program: (points: Float64Array) => Candidate | Promise<Candidate>,

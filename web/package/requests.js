@@ -88,15 +88,23 @@ export function toNumber(text) {
   return sign * value / 2 ** shift;
 }
 
+// STL and GLB are bytes, in base64.
+function withBytes(files) {
+  for (const [name, file] of Object.entries(files ?? {})) {
+    if (file.base64 !== undefined) files[name] = Uint8Array.from(atob(file.base64), letter => letter.charCodeAt(0));
+  }
+}
+
 const flat = table => table && Float64Array.from(table.flat(), toNumber);
 
 /** The answer as an object: tables of doubles as Float64Array, exact numbers as they are spelled. */
 export function parsed(kind, text) {
   const answer = typeof text === "string" ? JSON.parse(text) : text;
   if (answer.error) return answer;
+  withBytes(answer.files);
   if (kind === "read" && answer.points) answer.points = flat(answer.points);
   if (kind === "hull") answer.points = flat(answer.vertices);
-  if (kind === "simplify") answer.planes = flat(answer.output.planes_in_doubles);
+  if (kind === "simplify" && !answer.inner) answer.planes = flat(answer.output.planes_in_doubles);
   if (kind === "verify") {
     answer.ok = answer.verdict === "holds";
     const first = answer.claims.find(claim => claim.status === "violated" || claim.status === "undecided");

@@ -40,18 +40,22 @@ function showNumbers(rows) {
   }));
 }
 
+function download(name, contents) {
+  const link = document.createElement("a");
+  link.href = URL.createObjectURL(new Blob([contents]));
+  link.download = name;
+  link.click();
+  setTimeout(() => URL.revokeObjectURL(link.href), 1000);
+}
+
+// A button for each file: its contents, or what makes them when they are asked for, from a worker.
 function showDownloads(files) {
-  const buttons = Object.entries(files).map(([name, text]) => {
+  const buttons = Object.entries(files).map(([name, contents]) => {
     const button = document.createElement("button");
     button.type = "button";
     button.textContent = name;
-    button.onclick = () => {
-      const link = document.createElement("a");
-      link.href = URL.createObjectURL(new Blob([text]));
-      link.download = name;
-      link.click();
-      setTimeout(() => URL.revokeObjectURL(link.href), 1000);
-    };
+    button.onclick = () => typeof contents !== "function" ? download(name, contents)
+      : run(`Making ${name}`, async cx => download(name, await contents(cx)));
     return button;
   });
   $("downloads").hidden = buttons.length === 0;
@@ -59,6 +63,15 @@ function showDownloads(files) {
 }
 
 const show = page => { $("picture").srcdoc = page; };
+
+// A lesson writes its step into its address, so it needs one of its own.
+let lessonAt;
+function showLesson(page) {
+  URL.revokeObjectURL(lessonAt);
+  lessonAt = URL.createObjectURL(new Blob([page], {type: "text/html"}));
+  $("picture").removeAttribute("srcdoc");
+  $("picture").src = lessonAt;
+}
 
 // --- one job at a time
 
@@ -90,6 +103,8 @@ $("cancel").onclick = async () => (await started).cancel();
 // --- the shape and what is asked of it
 
 let input, candidate;
+// GLB is binary32, which other files are not: a run of its own, for those who want it.
+const glb = (name, ask) => ({[name]: async cx => (await ask(cx, {files: [name]})).files[name]});
 const stem = () => input.name.replace(/\.[^.]*$/, "");
 const drawn = () => ({picture: true, name: input.name});
 
@@ -101,20 +116,20 @@ function take(name, shape) {
 }
 
 async function showHull(cx) {
-  const files = [`${stem()}-hull.obj`, `${stem()}-hull.json`];
-  const hull = await cx.hull(input.shape, {...drawn(), files});
+  const {name, shape} = input, files = [`${stem()}-hull.obj`, `${stem()}-hull.json`];
+  const hull = await cx.hull(shape, {...drawn(), files});
   const facets = hull.planes.length;
-  say(`${input.name}: a hull of ${facets} facets and ${hull.vertices.length} vertices`,
-    [`Volume ${hull.volume.decimal}; every digit is certain.`, ...input.shape.notes ?? []].join(" "));
+  say(`${name}: a hull of ${facets} facets and ${hull.vertices.length} vertices`,
+    [`Volume ${hull.volume.decimal}; every digit is certain.`, ...shape.notes ?? []].join(" "));
   showNumbers([["points", hull.input.points || undefined], ["hull vertices", hull.vertices.length], ["hull facets", facets],
     ["edges", hull.edges], ["volume", hull.volume.decimal], ["area", hull.area.decimal], ["mean width", hull.mean_width.decimal],
     ["diameter of the box", hull.diameter.decimal]]);
-  showDownloads(hull.files);
+  showDownloads({...hull.files, ...glb(`${stem()}-hull.glb`, (cx, more) => cx.hull(shape, {measures: [], ...more}))});
   show(hull.picture);
   $("faces").max = facets;
   $("faces").value = Math.min(18, facets);
   $("count").textContent = $("faces").value;
-  for (const form of ["enclose", "judge"]) $(form).hidden = false;
+  for (const form of ["enclose", "judge", "teach"]) $(form).hidden = false;
   $("decompose").hidden = !(input.shape.triangles?.length > 0);
   $("candidate").disabled = false;
   document.querySelector("[data-example=wrong]").hidden = input.name !== "ball";
@@ -123,15 +138,16 @@ async function showHull(cx) {
 
 async function enclose(cx) {
   const name = `${stem()}-${$("faces").value}`;
-  const found = await cx.simplify(input.shape, {...drawn(), faces: Number($("faces").value), cost: $("cost").value,
-    files: [`${name}.obj`, `${name}.json`, ...($("cost").value === "mean-width" ? [] : [`${name}.proof`])]});
+  const {shape} = input, asked = {faces: Number($("faces").value), cost: $("cost").value};
+  const found = await cx.simplify(shape, {...drawn(), ...asked,
+    files: [`${name}.obj`, `${name}.json`, ...(asked.cost === "mean-width" ? [] : [`${name}.proof`])]});
   const percent = growth => `${(100 * (growth.ratio - 1)).toPrecision(4)}%`;
   say(`${found.output.halfspaces} halfspaces hold every point; the volume grows by ${percent(found.volume)}`,
     found.output.reached ? "Proven on the numbers that are saved." : "No further halfspace can go: the solid would be unbounded.");
   showNumbers([["halfspaces", `${found.output.halfspaces} of ${found.input.halfspaces}`],
     ["volume of the hull", found.volume.input.decimal], ["volume of the solid", found.volume.output.decimal],
     ["area grows by", found.area && percent(found.area)], ["mean width grows by", found.mean_width && percent(found.mean_width)]]);
-  showDownloads(found.files);
+  showDownloads({...found.files, ...glb(`${name}.glb`, (cx, more) => cx.simplify(shape, {...asked, ...more}))});
   show(found.picture);
 }
 
@@ -151,6 +167,15 @@ async function decompose(cx) {
   showNumbers([["parts", found.parts.length]]);
   showDownloads({[`${stem()}-parts.obj`]: objOf(found.parts), [`${stem()}-parts.json`]: JSON.stringify({...found, picture: undefined})});
   show(found.picture);
+}
+
+async function teach(cx) {
+  const lesson = await cx.teach(input.shape, {name: input.name, faces: Number($("left").value)});
+  say(`A lesson on ${input.name}, step by step`, ["The keys left and right go one step, once the lesson is clicked on. Saved, it opens from disk.",
+    ...lesson.left_out.map(({chapter, why}) => `Without the chapter ${chapter}: ${why}.`)].join(" "));
+  showNumbers([]);
+  showDownloads({[`${stem()}-lesson.html`]: lesson.page});
+  showLesson(lesson.page);
 }
 
 // JavaScript spells a double so that reading it gives the double again.
@@ -217,7 +242,8 @@ $("shape").onchange = () => takeFile($("shape").files[0], false);
 $("candidate").onchange = () => takeFile($("candidate").files[0], true);
 $("faces").oninput = () => { $("count").textContent = $("faces").value; };
 $("faces").onchange = () => run("Removing halfspaces", enclose);
-for (const [form, doing, job] of [["enclose", "Removing halfspaces", enclose], ["judge", "Judging", judge], ["decompose", "Cutting", decompose]]) {
+for (const [form, doing, job] of [["enclose", "Removing halfspaces", enclose], ["judge", "Judging", judge], ["decompose", "Cutting", decompose],
+  ["teach", "Writing the lesson", teach]]) {
   $(form).onsubmit = event => { event.preventDefault(); run(doing, job); };
 }
 

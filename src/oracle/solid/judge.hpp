@@ -35,6 +35,8 @@ struct CandidateSet {
   std::optional<Polytope> polytope;  ///< If it is a bounded solid, and a claim needs it.
   std::vector<std::vector<std::uint32_t>> patches;  ///< Of a mesh: planar_patches() of that.
   bool is_examined = false;                         ///< Whether find_vertices() has run.
+  /// The input points outside of it, once they were looked for.
+  std::optional<std::vector<PointId>> missed;
 };
 
 /// One candidate on trial: what was asked, what is known, and the verdict so far, without its

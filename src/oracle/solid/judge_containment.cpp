@@ -248,8 +248,9 @@ void judge_containment(Trial& trial) {
     return trial.violated(ContainsInput, "the candidate is empty, so every point is outside",
                           std::move(witness));
   }
-  const std::vector<PointId> outside = trial.log.run(
+  trial.set.missed = trial.log.run(
       "containment", [&] { return find_outside(trial.set.planes, points, trial.stop()); });
+  const std::vector<PointId>& outside = *trial.set.missed;
   trial.log.run("containment, second way", [&] { confirm(!outside.empty(), trial); });
   trial.verdict.outside = Outside{
       .points = outside.size(), .tested = points.size(), .unused = count_unused(outside, trial)};
@@ -292,11 +293,16 @@ void judge_is_hull(Trial& trial) {
                           std::string(reason) + ", and the input's hull is a bounded solid");
   }
   const Polytope& solid = *trial.set.polytope;
-  const PointSet vertices(solid.vertices);
+  // As stored if they can be: doubles are tested faster.
+  const PointSet vertices = trial.set.hull ? subset(trial.mesh()->points, trial.set.hull->vertices)
+                                           : PointSet(solid.vertices);
   const VerticesOutside beyond = vertices_outside(vertices, trial);
-  const std::vector<PointId> missed = trial.log.run("input outside", [&] {
-    return find_outside(solid.planes, trial.input.points, trial.stop());
-  });
+  if (!trial.set.missed) {
+    trial.set.missed = trial.log.run("input outside", [&] {
+      return find_outside(solid.planes, trial.input.points, trial.stop());
+    });
+  }
+  const std::vector<PointId>& missed = *trial.set.missed;
   std::optional<Farthest> worst_missed;
   if (!missed.empty()) {
     worst_missed = trial.log.run("distance", [&] { return farthest_of(missed, trial); });

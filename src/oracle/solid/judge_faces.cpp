@@ -73,7 +73,7 @@ void judge_oriented(const MeshSurface& surface, bool is_closed, Trial& trial) {
                    witness_of(*twisted));
   } else if (!is_closed) {
     trial.not_applicable(MeshOriented, "a surface that is not closed has no outside");
-  } else if (const Rational enclosed = surface.enclosed(); enclosed <= 0) {
+  } else if (const Rational& enclosed = surface.enclosed(); enclosed <= 0) {
     trial.violated(MeshOriented,
                    enclosed == 0 ? "the faces enclose no volume" : "all faces look inward", {});
   } else {
@@ -115,7 +115,7 @@ void judge_convex(const MeshSurface& surface, bool is_closed,
   if (crossed) {
     return trial.violated(MeshConvex, crossing_text(*crossed) + hull_text, witness_of(*crossed));
   }
-  const auto [off_count, worst] = surface.faces_off(trial.set.planes, hull.vertices);
+  const auto [off_count, worst] = surface.faces_off(hull, trial.set.planes);
   const bool closes = is_closed && !surface.twisted_edge();
   const bool covers =
       !closes || covers_once(surface.enclosed(), 6 * volume(hull, mesh.points), !worst);

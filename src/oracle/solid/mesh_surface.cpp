@@ -5,6 +5,7 @@
 #include <array>
 #include <iterator>
 #include <numeric>
+#include <ranges>
 #include <set>
 #include <tuple>
 #include <utility>
@@ -394,29 +395,88 @@ std::optional<PointOffFace> MeshSurface::most_bent() const {
   return worst;
 }
 
-Rational MeshSurface::enclosed() const {
-  std::vector<Rational> terms;
-  for (std::size_t f = 0; f < faces_.size(); ++f) {
-    if (faces_[f].empty()) continue;
-    terms.push_back(area_vectors_[f].dot(mesh_.points[PointId(faces_[f][0])]));
-  }
-  return balanced_sum(std::move(terms));
+const Rational& MeshSurface::enclosed() const {
+  return enclosed_.get([&] {
+    std::vector<Rational> terms;
+    for (std::size_t f = 0; f < faces_.size(); ++f) {
+      if (faces_[f].empty()) continue;
+      terms.push_back(area_vectors_[f].dot(mesh_.points[PointId(faces_[f][0])]));
+    }
+    return balanced_sum(std::move(terms));
+  });
 }
 
-MeshSurface::OffHull MeshSurface::faces_off(std::span<const Halfspace> planes,
-                                            std::span<const PointId> extreme) const {
-  std::vector<Halfspace> sorted(planes.begin(), planes.end());
-  std::sort(sorted.begin(), sorted.end());
+namespace {
+
+// Finds out whether a face lies in a facet plane of the hull and looks outward.
+class FacetPlanes {
+ public:
+  FacetPlanes(const Hull& hull, std::span<const Halfspace> planes)
+      : facets_(hull.facets), planes_(planes) {
+    for (std::uint32_t f = 0; f < facets_.size(); ++f) {
+      const std::span<const PointId> corners = facets_[f];
+      for (std::size_t k = 0; k < corners.size(); ++k) {
+        sides_.push_back({key(corners[k], corners[(k + 1) % corners.size()]), f});
+      }
+    }
+    std::sort(sides_.begin(), sides_.end());
+  }
+
+  // @param plane  Of the face, which is not bent. @param corners  Of the face.
+  bool have(const Halfspace& plane) {
+    if (sorted_.empty()) {
+      sorted_.assign(planes_.begin(), planes_.end());
+      std::sort(sorted_.begin(), sorted_.end());
+    }
+    return std::binary_search(sorted_.begin(), sorted_.end(), plane);
+  }
+
+  // Without the plane of the face, which costs more than all else: true if the corners are those
+  // of one facet, false if that has to be asked with the plane.
+  // @param area_vector  Of the face; not zero.
+  bool surely_have(std::span<const std::uint32_t> corners,
+                   const RationalVector3& area_vector) const {
+    constexpr std::size_t kMostPairs = 64;  // of corners to be compared
+    for (const auto& [from, to] : {std::pair{0, 1}, std::pair{1, 0}}) {
+      const Side wanted{key(PointId(corners[from]), PointId(corners[to])), 0};
+      const auto side = std::lower_bound(sides_.begin(), sides_.end(), wanted);
+      if (side == sides_.end() || side->first != wanted.first) continue;
+      const std::span<const PointId> facet = facets_[side->second];
+      if (facet.size() * corners.size() > kMostPairs) continue;
+      const bool has_all = std::ranges::all_of(corners, [&](std::uint32_t c) {
+        return std::ranges::find(facet, PointId(c)) != facet.end();
+      });
+      if (has_all) return planes_[side->second].normal().cast<Rational>().dot(area_vector) > 0;
+    }
+    return false;
+  }
+
+ private:
+  using Side = std::pair<std::uint64_t, std::uint32_t>;  // its ends, and the facet to its left
+  static std::uint64_t key(PointId from, PointId to) {
+    return std::uint64_t{from.index()} << 32 | to.index();
+  }
+  const FacetList& facets_;
+  std::span<const Halfspace> planes_;
+  std::vector<Side> sides_;
+  std::vector<Halfspace> sorted_;
+};
+
+}  // namespace
+
+MeshSurface::OffHull MeshSurface::faces_off(const Hull& hull,
+                                            std::span<const Halfspace> planes) const {
+  FacetPlanes facet_planes(hull, planes);
   std::vector<Halfspace> off;
   std::vector<std::size_t> face_of;
   std::optional<PointOffFace> most_bent;
   for (std::size_t f = 0; f < faces_.size(); ++f) {
     const RationalVector3& n = area_vectors_[f];
-    if (n.isZero(0)) continue;
+    if (n.isZero(0) || facet_planes.surely_have(faces_[f], n)) continue;
     const Rational offset = -n.dot(mesh_.points[PointId(faces_[f][0])]);
     Halfspace plane(n, offset);
     auto bend = bend_of(f);
-    if (!bend && std::binary_search(sorted.begin(), sorted.end(), plane)) continue;
+    if (!bend && facet_planes.have(plane)) continue;
     off.push_back(std::move(plane));
     face_of.push_back(f);
     if (bend && (!most_bent || bend->squared_distance > most_bent->squared_distance)) {
@@ -424,9 +484,9 @@ MeshSurface::OffHull MeshSurface::faces_off(std::span<const Halfspace> planes,
     }
   }
   OffHull result{off.size(), {}};
-  const PointSet corners = subset(mesh_.points, extreme);
+  const PointSet corners = subset(mesh_.points, hull.vertices);
   if (const auto excess = find_excess(off, corners)) {
-    result.worst = PointOffFace{face_of[excess->plane], extreme[excess->point.index()],
+    result.worst = PointOffFace{face_of[excess->plane], hull.vertices[excess->point.index()],
                                 off[excess->plane], excess->squared_distance};
   } else if (most_bent) {
     // A plane that no point is beyond holds a facet unless its face is bent.

@@ -9,6 +9,7 @@
 #include "convexact/error.hpp"
 #include "convexact/hull.hpp"
 #include "convexact/io.hpp"
+#include "task/lazy.hpp"
 
 namespace convexact {
 
@@ -67,18 +68,17 @@ class MeshSurface {
   [[nodiscard]] std::optional<PointOffFace> most_bent() const;
   /// Six times the volume that the faces enclose, positive if they look outward. Meaningful if
   /// there is neither an open nor a twisted edge.
-  [[nodiscard]] Rational enclosed() const;
+  [[nodiscard]] const Rational& enclosed() const;
 
   /// Among the faces that are bent or not in a facet plane of the hull of the mesh's points, the
   /// one that a point is farthest beyond; if no point is beyond any of them, the one that is most
   /// bent.
-  /// @param planes  Those of the hull. @param extreme  Its vertices.
+  /// @param hull  Of the mesh's points. @param planes  Those of its facets.
   struct OffHull {
     std::size_t faces = 0;              ///< How many faces are off.
     std::optional<PointOffFace> worst;  ///< Set if there are any.
   };
-  [[nodiscard]] OffHull faces_off(std::span<const Halfspace> planes,
-                                  std::span<const PointId> extreme) const;
+  [[nodiscard]] OffHull faces_off(const Hull& hull, std::span<const Halfspace> planes) const;
 
  private:
   struct DirectedEdge {
@@ -97,6 +97,7 @@ class MeshSurface {
   std::vector<RationalVector3> area_vectors_;
   std::vector<DirectedEdge> edges_;  // sorted by their ends, whichever comes first
   Surplus surplus_;
+  Lazy<Rational> enclosed_;
 };
 
 }  // namespace convexact

@@ -1,20 +1,23 @@
 // SPDX-License-Identifier: MIT
-#include "cli/keep_option.hpp"
+#include "wire/keep_selectors.hpp"
 
 #include <array>
+#include <limits>
 #include <optional>
 
-#include "cli/options.hpp"
 #include "convexact/error.hpp"
+#include "convexact/number.hpp"
 #include "number/text.hpp"
+#include "wire/field.hpp"
 
-namespace convexact::cli {
+namespace convexact {
 namespace {
 
 constexpr std::array<std::string_view, 4> kKinds = {"id:", "plane:", "normal:", "group:"};
 
-[[noreturn]] void refuse(const std::string& text, const std::string& why) {
-  throw Error(ErrorCode::InvalidArgument, "--keep " + text + ": " + why);
+// `named` is the option and its text.
+[[noreturn]] void refuse(const std::string& named, const std::string& why) {
+  throw Error(ErrorCode::InvalidArgument, named + ": " + why);
 }
 
 // KIND:WHAT.
@@ -39,7 +42,7 @@ std::optional<KeepText> parse_for(const SceneObject& object, std::string_view te
   return parse(text.substr(object.part.size() + 1));
 }
 
-std::string names_of(const std::vector<SceneObject>& scene) {
+std::string names_of(std::span<const SceneObject> scene) {
   constexpr std::size_t kMost = 8;
   std::string names;
   for (std::size_t k = 0; k < scene.size() && k < kMost; ++k) {
@@ -49,34 +52,35 @@ std::string names_of(const std::vector<SceneObject>& scene) {
 }
 
 // `count` numbers with commas between them.
-std::vector<Rational> numbers(const std::string& text, const std::string& list, std::size_t count) {
+std::vector<Rational> numbers(const std::string& named, const std::string& list,
+                              std::size_t count) {
   const std::vector<std::string> words = words_of(list);
   const std::string expected =
       "expected " + std::to_string(count) + " numbers, found '" + list + "'";
-  if (words.size() != count) refuse(text, expected);
+  if (words.size() != count) refuse(named, expected);
   std::vector<Rational> values;
   try {
     for (const std::string& word : words) values.push_back(parse_rational(word));
   } catch (const Error&) {
-    refuse(text, expected);
+    refuse(named, expected);
   }
   return values;
 }
 
-KeepPlane parse_plane(const std::string& text, const std::string& list) {
-  const std::vector<Rational> x = numbers(text, list, 4);
+KeepPlane parse_plane(const std::string& named, const std::string& list) {
+  const std::vector<Rational> x = numbers(named, list, 4);
   return {{x[0], x[1], x[2]}, x[3]};
 }
 
-KeepNormal parse_normal(const std::string& text, const std::string& what) {
+KeepNormal parse_normal(const std::string& named, const std::string& what) {
   const std::size_t colon = what.find(':');
-  const std::vector<Rational> x = numbers(text, what.substr(0, colon), 3);
+  const std::vector<Rational> x = numbers(named, what.substr(0, colon), 3);
   KeepNormal wanted{{x[0], x[1], x[2]}, std::nullopt};
-  if (colon != what.npos) wanted.degrees = parse_decimal("--keep " + text, what.substr(colon + 1));
+  if (colon != what.npos) wanted.degrees = parse_decimal(named, what.substr(colon + 1));
   return wanted;
 }
 
-KeepFaces faces_of_group(const std::string& text, const std::string& name,
+KeepFaces faces_of_group(const std::string& named, const std::string& name,
                          const SceneObject& object) {
   KeepFaces wanted;
   bool is_found = false;
@@ -87,58 +91,58 @@ KeepFaces faces_of_group(const std::string& text, const std::string& name,
       wanted.polygons.push_back(object.polygons[k]);
     }
   }
-  if (!is_found) refuse(text, "the file " + object.name + " has no group of that name");
+  if (!is_found) refuse(named, "the file " + object.name + " has no group of that name");
   return wanted;
 }
 
-KeepSelector selector_of(const std::string& text, const KeepText& parsed,
+KeepSelector selector_of(const std::string& named, const KeepText& parsed,
                          const SceneObject& object) {
-  KeepSelector selector{KeepIds{}, "--keep " + text};
+  KeepSelector selector{KeepIds{}, named};
   if (parsed.kind == "id:") {
-    selector.facets = KeepIds{parse_ids("--keep " + text, parsed.what)};
+    selector.facets = KeepIds{parse_ids(named, parsed.what)};
   } else if (parsed.kind == "plane:") {
-    selector.facets = parse_plane(text, parsed.what);
+    selector.facets = parse_plane(named, parsed.what);
   } else if (parsed.kind == "normal:") {
-    selector.facets = parse_normal(text, parsed.what);
+    selector.facets = parse_normal(named, parsed.what);
   } else {
-    selector.facets = faces_of_group(text, parsed.what, object);
+    selector.facets = faces_of_group(named, parsed.what, object);
   }
   return selector;
 }
 
 }  // namespace
 
-Option add_keep_option(Command& command, std::vector<std::string>& texts) {
-  return command
-      .add_option("--keep", texts,
-                  "facets that stay, by id:N,..., plane:NX,NY,NZ,D, normal:X,Y,Z[:DEGREES] or "
-                  "group:NAME; with several objects PART/id:N; may be repeated")
-      ->expected(1)
-      ->allow_extra_args(false)  // an INPUT that need not be there may follow
-      ->take_all()
-      ->type_name("SELECTOR");
+std::vector<HalfspaceId> parse_ids(const std::string& option, const std::string& text) {
+  constexpr std::uint64_t kMost = std::numeric_limits<std::uint32_t>::max();
+  std::vector<HalfspaceId> ids;
+  for (const std::string& word : words_of(text)) {
+    ids.emplace_back(parse_count(option, word, {0, kMost}));
+  }
+  return ids;
 }
 
-std::vector<std::vector<KeepSelector>> keep_selectors(const std::vector<std::string>& texts,
-                                                      const std::vector<SceneObject>& scene) {
+std::vector<std::vector<KeepSelector>> keep_selectors(const std::string& option,
+                                                      const std::vector<std::string>& texts,
+                                                      std::span<const SceneObject> scene) {
   std::vector<std::vector<KeepSelector>> selectors(scene.size());
   for (const std::string& text : texts) {
+    const std::string named = option + " " + text;
     const std::optional<KeepText> whole = parse(text);
     bool is_used = scene.size() == 1 && whole;
-    if (is_used) selectors[0].push_back(selector_of(text, *whole, scene[0]));
+    if (is_used) selectors[0].push_back(selector_of(named, *whole, scene[0]));
     for (std::size_t k = 0; k < scene.size() && !(is_used && scene.size() == 1); ++k) {
       const std::optional<KeepText> parsed = parse_for(scene[k], text);
       if (!parsed) continue;
-      selectors[k].push_back(selector_of(text, *parsed, scene[k]));
+      selectors[k].push_back(selector_of(named, *parsed, scene[k]));
       is_used = true;
     }
     if (is_used) continue;
     const std::string selector = "id:N,..., plane:NX,NY,NZ,D, normal:X,Y,Z[:DEGREES] or group:NAME";
-    if (scene.size() == 1) refuse(text, "expected " + selector);
-    refuse(text, "expected PART/SELECTOR, the part one of " + names_of(scene) +
-                     ", the selector one of " + selector);
+    if (scene.size() == 1) refuse(named, "expected " + selector);
+    refuse(named, "expected PART/SELECTOR, the part one of " + names_of(scene) +
+                      ", the selector one of " + selector);
   }
   return selectors;
 }
 
-}  // namespace convexact::cli
+}  // namespace convexact
