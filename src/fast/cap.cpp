@@ -223,8 +223,12 @@ CostBounds<DoubleDouble> FilteredCap::in_double_doubles() {
   }
   long_geometry_.load(*prepared_, ring_.vertices,
                       [&](HalfspaceId v) { return dual_.long_point(v); });
-  const CostBounds<DoubleDouble> bounds =
+  CostBounds<DoubleDouble> bounds =
       long_cost_.bounds(long_geometry_, triangles_, Roundoff<DoubleDouble>::kUnit);
+  if (!are_close(bounds.lower, bounds.upper)) {
+    CloseDeterminants determinants(long_geometry_, *prepared_, ring_.vertices, signs_);
+    bounds = determinants.widened(close_volume_.six_times(length(ring_), triangles_, determinants));
+  }
   if (observer_ != nullptr) observer_->in_double_doubles(*prepared_, ring_, triangles_, bounds);
   return bounds;
 }

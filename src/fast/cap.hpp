@@ -9,6 +9,7 @@
 #include "convexact/cost.hpp"
 #include "convexact/number.hpp"
 #include "fast/cap_volume.hpp"
+#include "fast/close_determinants.hpp"
 #include "fast/dual.hpp"
 #include "fast/mesh.hpp"
 #include "fast/metric_cost.hpp"
@@ -99,6 +100,7 @@ class FilteredCap {
   RingGeometry<DoubleDouble> long_geometry_;
   CapCost<double> cost_;
   CapCost<DoubleDouble> long_cost_;
+  CapVolume<CloseDeterminants> close_volume_;
   std::optional<MetricCost> metric_;  // unless the measure is the volume
 };
 

@@ -77,19 +77,21 @@ std::array<double, 3> FastDual::direction(HalfspaceId i) const {
   return n;
 }
 
+std::array<double, 3> FastDual::normal_sizes(HalfspaceId i) const {
+  std::array<double, 3> sizes = direction(i);
+  for (double& x : sizes) x = std::abs(x);
+  std::sort(sizes.begin(), sizes.end());
+  return sizes;
+}
+
 bool FastDual::seems_to_precede(HalfspaceId i, HalfspaceId j) const {
   if (planes_->dual != nullptr) return i < j;
-  constexpr double kEqual = 0x1p-40;
   const std::array<double, 3> a = direction(i), b = direction(j);
-  std::array<double, 3> sizes_a = a, sizes_b = b;
-  for (std::array<double, 3>* sizes : {&sizes_a, &sizes_b}) {
-    for (double& x : *sizes) x = std::abs(x);
-    std::sort(sizes->begin(), sizes->end());
-  }
+  const std::array<double, 3> sizes_a = normal_sizes(i), sizes_b = normal_sizes(j);
   bool seem_congruent = true;
-  for (int k = 0; k < 3; ++k) seem_congruent &= std::abs(sizes_a[k] - sizes_b[k]) <= kEqual;
+  for (int k = 0; k < 3; ++k) seem_congruent &= std::abs(sizes_a[k] - sizes_b[k]) <= kEqualSizes;
   for (int k = 0; k < 3 && seem_congruent; ++k) {
-    if (std::abs(a[k] - b[k]) > kEqual) return a[k] < b[k];
+    if (std::abs(a[k] - b[k]) > kEqualSizes) return a[k] < b[k];
   }
   return precedes(i, j);
 }

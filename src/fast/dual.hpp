@@ -114,6 +114,11 @@ class FastDual {
   std::size_t formed() const;
   /// Whether i stands before j in canonical order.
   bool precedes(HalfspaceId i, HalfspaceId j) const;
+  /// The sizes of the entries of the normal, up to rounding, over the largest of them, ascending:
+  /// the same for facets that a symmetry of the axes carries to each other.
+  std::array<double, 3> normal_sizes(HalfspaceId i) const;
+  /// What two such sizes may differ by where the true ones are equal, and more than that.
+  static constexpr double kEqualSizes = 0x1p-40;
   /// As precedes(), without exact numbers where a symmetry of the axes seems to carry one normal to
   /// the other: their primitive normals are then equally long, so the directions, in doubles, are
   /// in the same order. For choices that need no proof.

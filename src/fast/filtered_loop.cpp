@@ -230,8 +230,7 @@ std::optional<HalfspaceId> FilteredLoop::choose_from_queue() {
 
 // An exact cost is close enough, even if its bounds are wide.
 bool FilteredLoop::are_bounds_close(HalfspaceId i) const {
-  constexpr double kClose = 1 + 0x1p-10;
-  return upper_[i.index()].hi() <= kClose * queue_.key(i).hi();
+  return are_close(queue_.key(i), upper_[i.index()]);
 }
 
 // Whether the top is fresh and its bounds are close; otherwise one step is made towards that.
@@ -242,10 +241,10 @@ bool FilteredLoop::tighten_top() {
     return false;
   }
   // An upper bound far away would make too many entries candidates.
-  if (are_bounds_close(top)) return true;
   const bool is_exact = ties_.is_exact(top);
-  refine(top);
-  return is_exact && queue_.top() == top;  // its lower bound may have risen only now
+  if (!is_exact && are_bounds_close(top)) return true;
+  refine(top);  // of an exact cost that was computed for a congruent cap, the bounds come only now
+  return is_exact && queue_.top() == top;
 }
 
 // Those that may cost as little as the top. Of volumes that are nearly equal, as those of a

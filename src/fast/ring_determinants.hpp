@@ -43,6 +43,12 @@ struct CostBounds {
   }
 };
 
+/// Whether the ends differ by at most a thousandth.
+inline bool are_close(const DoubleDouble& lower, const DoubleDouble& upper) {
+  constexpr double kClose = 1 + 0x1p-10;
+  return upper.hi() <= kClose * lower.hi();
+}
+
 /// The same with the volume as it is computed.
 template <class Scalar>
 struct CostEstimate : CostBounds<Scalar> {
@@ -88,13 +94,14 @@ class RoundedDeterminants {
   std::uint32_t low_ = 0;
 };
 
-/// Determinants of a ring as intervals that hold the true ones.
+/// What determinants of a ring with their errors have in common: intervals that hold the true ones,
+/// and the bounds of a cost that follow.
 ///
 /// Rounding: below any term of the sum lie 5 factors, each of whose ends is rounded once, 3
 /// products and 4 quotients; then up to 2 k additions. So 13 + 2 k units bound the relative error
 /// of an end, and twice (16 + 2 k) leaves room for higher orders.
 template <class Scalar>
-class IntervalDeterminants {
+class CapRanges {
  public:
   using Number = Interval<Scalar>;
   struct Sum {
@@ -106,41 +113,10 @@ class IntervalDeterminants {
     Number scaled_down(const Number& x) const { return total / x; }
   };
 
-  /// @param unit  As of Roundoff.
-  IntervalDeterminants(const RingGeometry<Scalar>& ring, double unit)
-      : ring_(ring),
-        unit_(unit),
-        arm_error_(ring.arm_filter(unit).height),
-        error_(ring.filter(unit).height) {}
-
-  // D by the bounds of their triangles alone: in a long ring, the bound for all of it would exceed
-  // a small D.
-  Number base(std::uint32_t m) {
-    const std::size_t next = m + 1 == ring_.arm.size() ? 0 : m + 1;
-    return positive(dot(ring_.side[m], ring_.center), ring_.arm[m], ring_.arm[next]);
-  }
-  Number slack(std::uint32_t m) const {
-    return lift(-dot(ring_.side[0], ring_.arm[m]), arm_error_);
-  }
-  Number leg(std::uint32_t m, std::uint32_t q) const {
-    return lift(-dot(ring_.side[m], ring_.arm[q]), arm_error_);
-  }
-  void set_triangle(std::uint32_t low, std::uint32_t middle, std::uint32_t high) {
-    low_ = low;
-    first_ = ring_.point[middle] - ring_.point[low];
-    second_ = ring_.point[high] - ring_.point[low];
-    normal_ = cross(first_, second_);
-  }
-  Number vertex() { return positive(dot(normal_, ring_.point[low_]), first_, second_); }
-  Number to_center() const { return lift(-dot(normal_, ring_.arm[low_]), error_); }
-  Number to(std::uint32_t q) const {
-    return lift(-dot(normal_, ring_.point[q] - ring_.point[low_]), error_);
-  }
-
   /// The result of CapVolume from these determinants, widened by all rounding errors.
   CostBounds<Scalar> widened(const Number& six_times) const {
     if (negative_) return {Boundedness::Unbounded, Scalar(0.0), Scalar(0.0)};
-    const double n = 16 + 2 * static_cast<double>(ring_.arm.size());
+    const double n = 16 + 2 * static_cast<double>(length_);
     const Scalar slop = Scalar(2 * n * unit_);
     const Scalar tiny = Scalar(ExponentRange<Scalar>::kVolumeUnderflow);
     const Scalar lower = six_times.lower * (Scalar(1.0) - slop) - tiny;
@@ -154,18 +130,17 @@ class IntervalDeterminants {
   /// Whether some D asked for so far is proven negative: then the cap is unbounded.
   bool is_negative() const { return negative_; }
 
- private:
-  Number lift(const Scalar& value, double error) const {
+ protected:
+  /// @param length  Of the ring. @param unit  As of Roundoff.
+  CapRanges(std::size_t length, double unit) : length_(length), unit_(unit) {}
+
+  static Number lift(const Scalar& value, double error) {
     const Scalar lower = value - Scalar(error);
     return {is_positive(lower) ? lower : Scalar(0.0), value + Scalar(error)};
   }
-  // Of D as computed from a point and the differences f and g of the two others to it.
-  Number positive(const Scalar& value, const Triple<Scalar>& f, const Triple<Scalar>& g) {
-    Extent sides;
-    sides.include(f);
-    sides.include(g);
-    const Scalar error = Scalar(filter_for<Scalar>(sides.size, unit_).determinant);
-    Number range{value - error, value + error};
+  // Of a D as computed.
+  Number positive(const Scalar& value, double error) {
+    Number range{value - Scalar(error), value + Scalar(error)};
     negative_ |= range.upper < Scalar(0.0);
     const Scalar smallest = Scalar(ExponentRange<Scalar>::kSmallestDeterminant);
     if (range.lower > smallest) return range;
@@ -176,12 +151,64 @@ class IntervalDeterminants {
     return range;
   }
 
+ private:
+  std::size_t length_;
+  double unit_;
+  bool negative_ = false, doubtful_ = false;
+};
+
+/// Determinants of a ring as intervals that hold the true ones, by the bounds of PlaneFilter.
+template <class Scalar>
+class IntervalDeterminants : public CapRanges<Scalar> {
+ public:
+  using Number = Interval<Scalar>;
+
+  /// @param unit  As of Roundoff.
+  IntervalDeterminants(const RingGeometry<Scalar>& ring, double unit)
+      : CapRanges<Scalar>(ring.arm.size(), unit),
+        ring_(ring),
+        unit_(unit),
+        arm_error_(ring.arm_filter(unit).height),
+        error_(ring.filter(unit).height) {}
+
+  // D by the bounds of their triangles alone: in a long ring, the bound for all of it would exceed
+  // a small D.
+  Number base(std::uint32_t m) {
+    const std::size_t next = m + 1 == ring_.arm.size() ? 0 : m + 1;
+    return positive(dot(ring_.side[m], ring_.center), ring_.arm[m], ring_.arm[next]);
+  }
+  Number slack(std::uint32_t m) const {
+    return this->lift(-dot(ring_.side[0], ring_.arm[m]), arm_error_);
+  }
+  Number leg(std::uint32_t m, std::uint32_t q) const {
+    return this->lift(-dot(ring_.side[m], ring_.arm[q]), arm_error_);
+  }
+  void set_triangle(std::uint32_t low, std::uint32_t middle, std::uint32_t high) {
+    low_ = low;
+    first_ = ring_.point[middle] - ring_.point[low];
+    second_ = ring_.point[high] - ring_.point[low];
+    normal_ = cross(first_, second_);
+  }
+  Number vertex() { return positive(dot(normal_, ring_.point[low_]), first_, second_); }
+  Number to_center() const { return this->lift(-dot(normal_, ring_.arm[low_]), error_); }
+  Number to(std::uint32_t q) const {
+    return this->lift(-dot(normal_, ring_.point[q] - ring_.point[low_]), error_);
+  }
+
+ private:
+  // Of D as computed from a point and the differences f and g of the two others to it.
+  Number positive(const Scalar& value, const Triple<Scalar>& f, const Triple<Scalar>& g) {
+    Extent sides;
+    sides.include(f);
+    sides.include(g);
+    return CapRanges<Scalar>::positive(value, filter_for<Scalar>(sides.size, unit_).determinant);
+  }
+
   const RingGeometry<Scalar>& ring_;
   double unit_;
   double arm_error_, error_;  // of heights: of arms alone, and of any points
   Triple<Scalar> first_{}, second_{}, normal_{};
   std::uint32_t low_ = 0;
-  bool negative_ = false, doubtful_ = false;
 };
 
 }  // namespace convexact

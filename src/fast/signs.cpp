@@ -5,12 +5,13 @@
 
 #include <algorithm>
 
+#include "fast/close_determinants.hpp"
 #include "geometry/plane_determinants.hpp"
 
 namespace convexact {
 namespace {
 
-// H and D of four or three points in one stage of floating arithmetic. With all w = 1,
+// H and D of four or three points in floating arithmetic. With all w = 1,
 // H = ((b - a) x (c - a)).(p - a) and D = ((b - a) x (c - a)).a.
 template <class Scalar>
 FilterSign height_in(const Triple<Scalar>& a, const Triple<Scalar>& b, const Triple<Scalar>& c,
@@ -24,16 +25,17 @@ FilterSign height_in(const Triple<Scalar>& a, const Triple<Scalar>& b, const Tri
                      PlaneFilter::within(extent.size, Roundoff<Scalar>::kUnit).height);
 }
 
-template <class Scalar>
-FilterSign determinant_in(const Triple<Scalar>& a, const Triple<Scalar>& b,
-                          const Triple<Scalar>& c) {
-  const Triple<Scalar> f = b - a, g = c - a;
+FilterSign determinant_in(const Triple<double>& a, const Triple<double>& b,
+                          const Triple<double>& c) {
+  const Triple<double> f = b - a, g = c - a;
   Extent extent;
   extent.include(f);
   extent.include(g);
-  return filter_sign(leading(dot(cross(f, g), a)),
-                     PlaneFilter::within(extent.size, Roundoff<Scalar>::kUnit).determinant);
+  return filter_sign(dot(cross(f, g), a),
+                     PlaneFilter::within(extent.size, Roundoff<double>::kUnit).determinant);
 }
+
+FilterSign sign_by(const Approximate& x) { return filter_sign(x.value.hi(), x.error); }
 
 Sign to_sign(FilterSign v) { return Sign(static_cast<signed char>(v)); }
 
@@ -60,14 +62,16 @@ bool share_vertex(const FastDual& dual, HalfspaceId a, HalfspaceId b, HalfspaceI
   });
 }
 
-// Whether all three normals are known to lie in one coordinate plane, as along a prism; then they
-// are dependent. A coordinate that underflowed to zero is distinguished from a true zero.
-bool share_axis(const FastDual& dual, HalfspaceId a, HalfspaceId b, HalfspaceId c) {
+// Whether all these normals are known to lie in one coordinate plane, as along a prism; then three
+// of them are dependent, and so are four rows (n, d). A coordinate that underflowed to zero is
+// distinguished from a true zero.
+template <class... Ids>
+bool share_axis(const FastDual& dual, Ids... ids) {
   for (int k = 0; k < 3; ++k) {
     const auto is_zero = [&](HalfspaceId i) {
       return dual.near(i)[k] == 0 && dual.exact(i).normal()[k].is_zero();
     };
-    if (is_zero(a) && is_zero(b) && is_zero(c)) return true;
+    if ((is_zero(ids) && ...)) return true;
   }
   return false;
 }
@@ -81,14 +85,20 @@ Sign DualSigns::height(HalfspaceId a, HalfspaceId b, HalfspaceId c, HalfspaceId 
   return to_sign(sure);
 }
 
+bool DualSigns::is_known_zero(HalfspaceId a, HalfspaceId b, HalfspaceId c, HalfspaceId p) const {
+  return share_vertex(*dual_, a, b, c, p) || share_axis(*dual_, a, b, c, p);
+}
+
 Sign DualSigns::height_beyond_doubles(HalfspaceId a, HalfspaceId b, HalfspaceId c,
                                       HalfspaceId p) const {
-  if (share_vertex(*dual_, a, b, c, p)) {
+  if (is_known_zero(a, b, c, p)) {
     ++counts_.incident;
     return Sign::Zero;
   }
-  const FilterSign sure = height_in(dual_->long_point(a), dual_->long_point(b),
-                                    dual_->long_point(c), dual_->long_point(p));
+  const Triple<DoubleDouble> at_a = dual_->long_point(a), at_b = dual_->long_point(b),
+                             at_c = dual_->long_point(c), at_p = dual_->long_point(p);
+  FilterSign sure = height_in(at_a, at_b, at_c, at_p);
+  if (sure == FilterSign::Unknown) sure = sign_by(close_height(at_a, at_b, at_c, at_p));
   if (sure != FilterSign::Unknown) {
     ++counts_.extended;
     return to_sign(sure);
@@ -111,7 +121,7 @@ Sign DualSigns::determinant_beyond_doubles(HalfspaceId a, HalfspaceId b, Halfspa
     return Sign::Zero;
   }
   const FilterSign sure =
-      determinant_in(dual_->long_point(a), dual_->long_point(b), dual_->long_point(c));
+      sign_by(close_determinant(dual_->long_point(a), dual_->long_point(b), dual_->long_point(c)));
   if (sure != FilterSign::Unknown) {
     ++counts_.extended;
     return to_sign(sure);

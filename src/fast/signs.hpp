@@ -149,7 +149,12 @@ class DualSigns {
   /// Sign of det(n_a, n_b, n_c): Positive iff the three planes of a dual triangle meet in a vertex.
   [[nodiscard]] Sign determinant(HalfspaceId a, HalfspaceId b, HalfspaceId c) const;
 
-  /// The same where doubles have failed already.
+  /// Whether that height is zero because the planes share a vertex of the input or a direction;
+  /// false proves nothing.
+  [[nodiscard]] bool is_known_zero(HalfspaceId a, HalfspaceId b, HalfspaceId c,
+                                   HalfspaceId p) const;
+
+  /// The same signs where doubles have failed already.
   [[nodiscard]] Sign height_beyond_doubles(HalfspaceId a, HalfspaceId b, HalfspaceId c,
                                            HalfspaceId p) const;
   [[nodiscard]] Sign determinant_beyond_doubles(HalfspaceId a, HalfspaceId b, HalfspaceId c) const;

@@ -4,11 +4,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <map>
 #include <utility>
 
 #include "fast/signs.hpp"
-#include "geometry/plane_determinants.hpp"
+#include "number/arithmetic.hpp"
 
 namespace convexact {
 namespace {
@@ -48,21 +47,29 @@ std::array<SignedPermutation, 48> all_signed_permutations() {
 // Pairs of planes, one of each cap, whose normals correspond.
 using PlanePairs = std::vector<std::pair<const Halfspace*, const Halfspace*>>;
 
-// x -> S x + t carries {n.x + d = 0} to {Sn.x + d - Sn.t = 0}. So there is a t for all pairs if and
-// only if some (t, 1) is orthogonal to all rows (Sn, d' - d). The first three planes meet in a
-// vertex, so they determine t.
+// x -> S x + t carries {n.x + d = 0} to {Sn.x + d - Sn.t = 0}. So t solves Sn.t = d - d' for all
+// pairs. The first three planes meet in a vertex, so they determine t, by Cramer's rule as a
+// fraction.
 bool differ_by_one_translation(const PlanePairs& pairs) {
-  if (std::all_of(pairs.begin(), pairs.end(),
-                  [](const auto& p) { return p.first->offset() == p.second->offset(); })) {
+  std::vector<Integer> shifts;
+  for (const auto& [from, to] : pairs) shifts.push_back(from->offset() - to->offset());
+  if (std::all_of(shifts.begin(), shifts.end(), [](const Integer& x) { return x == 0; })) {
     return true;  // t = 0
   }
-  const auto row = [&](std::size_t m) {
-    const auto& [from, to] = pairs[m];
-    return Halfspace(to->normal(), Integer(to->offset() - from->offset()));
+  const auto normal = [&](std::size_t m) -> const IntegerVector3& {
+    return pairs[m].second->normal();
   };
-  const Halfspace a = row(0), b = row(1), c = row(2);
+  const IntegerVector3 yz = normal(1).cross(normal(2)), zx = normal(2).cross(normal(0)),
+                       xy = normal(0).cross(normal(1));
+  Integer below = dot(normal(0), yz);
+  IntegerVector3 t;
+  for (int k = 0; k < 3; ++k) t[k] = yz[k] * shifts[0] + zx[k] * shifts[1] + xy[k] * shifts[2];
+  // Mostly a difference of coordinates, so a short fraction.
+  const Integer common = gcd(gcd(below, t[0]), gcd(t[1], t[2]));
+  below /= common;
+  for (int k = 0; k < 3; ++k) t[k] /= common;
   for (std::size_t m = 3; m < pairs.size(); ++m) {
-    if (plane_determinant(a, b, c, row(m)) != 0) return false;
+    if (dot(normal(m), t) != below * shifts[m]) return false;
   }
   return true;
 }
@@ -95,17 +102,84 @@ Interval<DoubleDouble> TieBreaker::refine(HalfspaceId i) {
   if (is_refined(i)) {
     (void)exact_cost(i);
   } else {
-    cap_.prepare(i);
-    refined_[i].bounds = cap_.in_double_doubles();
-    ++counts_.extended;
+    (void)class_for(i);
   }
-  const Refined& refined = refined_.at(i);
-  return {refined.bounds.lower, refined.bounds.upper};
+  const CostBounds<DoubleDouble>& bounds = refined_.at(i)->bounds;
+  return {bounds.lower, bounds.upper};
 }
 
 bool TieBreaker::is_exact(HalfspaceId i) const {
   const auto refined = refined_.find(i);
-  return refined != refined_.end() && refined->second.is_exact;
+  return refined != refined_.end() && refined->second->cost;
+}
+
+namespace {
+
+// The key of TieBreaker::Classes.
+std::int64_t cell_of(double size) {
+  constexpr double kCells = 0x1p30;
+  return static_cast<std::int64_t>(std::floor(size * kCells));
+}
+
+}  // namespace
+
+TieBreaker::CostClass& TieBreaker::class_for(HalfspaceId i) {
+  const auto [place, is_new] = refined_.try_emplace(i, nullptr);
+  if (!is_new) return *place->second;
+  const std::array<double, 3> sizes = dual_.normal_sizes(i);
+  CostClass* its_class = congruent_class(i, sizes);
+  cap_.prepare(i);  // again, if the other cap had to be read: callers go on with this one
+  if (its_class != nullptr) {
+    ++its_class->members;
+    ++counts_.congruent;
+  } else {
+    its_class =
+        &classes_
+             .emplace(cell_of(sizes[1]), CostClass{i, {}, sizes, 1, cap_.in_double_doubles(), {}})
+             ->second;
+    ++counts_.extended;
+  }
+  return *(place->second = its_class);
+}
+
+// A class of caps congruent to that of i, or null.
+TieBreaker::CostClass* TieBreaker::congruent_class(HalfspaceId i,
+                                                   const std::array<double, 3>& sizes) {
+  std::optional<FacetOutline> outline;
+  const std::int64_t low = cell_of(sizes[1] - FastDual::kEqualSizes),
+                     high = cell_of(sizes[1] + FastDual::kEqualSizes);
+  for (std::int64_t cell = low; cell <= high; ++cell) {
+    const auto [begin, end] = classes_.equal_range(cell);
+    for (auto known = begin; known != end; ++known) {
+      const std::array<double, 3>& others = known->second.sizes;
+      if (std::abs(sizes[0] - others[0]) > FastDual::kEqualSizes) continue;
+      if (std::abs(sizes[1] - others[1]) > FastDual::kEqualSizes) continue;
+      if (!outline) {
+        cap_.prepare(i);
+        outline = cap_.outline();
+      }
+      if (is_congruent(known->second, *outline)) return &known->second;
+    }
+  }
+  return nullptr;
+}
+
+bool TieBreaker::is_congruent(CostClass& known, const FacetOutline& outline) {
+  if (!known.outline) {
+    cap_.prepare(known.first);
+    known.outline = cap_.outline();
+  }
+  return are_congruent(dual_, *known.outline, outline);
+}
+
+void TieBreaker::forget(HalfspaceId i) {
+  const auto refined = refined_.find(i);
+  if (refined == refined_.end()) return;
+  CostClass* its_class = refined->second;
+  refined_.erase(refined);
+  if (--its_class->members > 0) return;
+  const auto [begin, end] = classes_.equal_range(cell_of(its_class->sizes[1]));
+  classes_.erase(std::find_if(begin, end, [&](const auto& x) { return &x.second == its_class; }));
 }
 
 namespace {
@@ -131,37 +205,31 @@ Interval<DoubleDouble> bounds_of(const Cost& cost, long exponent) {
 }  // namespace
 
 const Cost& TieBreaker::exact_cost(HalfspaceId i) {
-  Refined& refined = refined_[i];
-  if (refined.cost_class == nullptr) refined.cost_class = new_class(i);
-  std::optional<Cost>& cost = refined.cost_class->cost;
-  if (!cost) {
+  CostClass& its_class = class_for(i);
+  if (!its_class.cost) {
     cap_.prepare(i);
-    cost = cap_.exactly();
+    its_class.cost = cap_.exactly();
     ++counts_.exact;
+    const Cost& cost = *its_class.cost;
+    const auto [lower, upper] = bounds_of(cost, dual_.cost_exponent(cost.measure()));
+    its_class.bounds = {Boundedness::Bounded, lower, upper};
   }
-  if (!refined.is_exact) {
-    const auto [lower, upper] = bounds_of(*cost, dual_.cost_exponent(cost->measure()));
-    refined.bounds = {Boundedness::Bounded, lower, upper};
-    refined.is_exact = true;
-  }
-  return *cost;
-}
-
-std::shared_ptr<TieBreaker::CostClass> TieBreaker::new_class(HalfspaceId i) {
-  cap_.prepare(i);
-  return std::make_shared<CostClass>(CostClass{cap_.outline(), {}});
+  return *its_class.cost;
 }
 
 TieEvidence TieBreaker::keep_cheapest(std::vector<HalfspaceId>& candidates,
                                       const CompareLimits& limits, const Watch& watch) {
-  DoubleDouble best = refined_.at(candidates[0]).bounds.upper;
+  DoubleDouble best = refined_.at(candidates[0])->bounds.upper;
   for (const HalfspaceId i : candidates) {
-    const DoubleDouble& upper = refined_.at(i).bounds.upper;
+    const DoubleDouble& upper = refined_.at(i)->bounds.upper;
     if (upper < best) best = upper;
   }
-  std::erase_if(candidates, [&](HalfspaceId i) { return refined_.at(i).bounds.lower > best; });
+  std::erase_if(candidates, [&](HalfspaceId i) { return refined_.at(i)->bounds.lower > best; });
   if (candidates.size() == 1) return {};
-  if (are_all_congruent(candidates)) return {TieProof::Congruent, 0};
+  const bool are_all_congruent =
+      std::all_of(candidates.begin(), candidates.end(),
+                  [&](HalfspaceId i) { return class_of(i) == class_of(candidates[0]); });
+  if (are_all_congruent) return {TieProof::Congruent, 0};
   return keep_cheapest_class(candidates, limits, watch);
 }
 
@@ -171,7 +239,7 @@ TieEvidence TieBreaker::keep_cheapest(std::vector<HalfspaceId>& candidates,
 TieEvidence TieBreaker::keep_cheapest_class(std::vector<HalfspaceId>& candidates,
                                             const CompareLimits& limits, const Watch& watch) {
   const auto are_congruent_now = [&](HalfspaceId i, HalfspaceId j) {
-    return refined_.at(i).cost_class == refined_.at(j).cost_class;
+    return class_of(i) == class_of(j);
   };
   HalfspaceId least = candidates[0];
   for (const HalfspaceId i : candidates) {
@@ -190,39 +258,6 @@ TieEvidence TieBreaker::keep_cheapest_class(std::vector<HalfspaceId>& candidates
   });
   if (candidates.size() > 1 && !evidence.proof) return {TieProof::Congruent, 0};
   return evidence;
-}
-
-TieBreaker::Signature TieBreaker::signature_of(HalfspaceId i) const {
-  const IntegerVector3 normal = dual_.exact(i).normal();
-  Signature signature;
-  for (int k = 0; k < 3; ++k) signature[k] = std::abs(normal[k].convert_to<double>());
-  std::sort(signature.begin(), signature.end());
-  return signature;
-}
-
-// Whether the tie is proven without computing a cost. Sorts all candidates into classes.
-bool TieBreaker::are_all_congruent(const std::vector<HalfspaceId>& candidates) {
-  std::map<Signature, std::vector<std::shared_ptr<CostClass>>> classes;
-  std::size_t count = 0;
-  for (const HalfspaceId i : candidates) {
-    std::vector<std::shared_ptr<CostClass>>& alike = classes[signature_of(i)];
-    std::shared_ptr<CostClass>& its_class = refined_.at(i).cost_class;
-    if (its_class == nullptr) {
-      its_class = new_class(i);
-      const auto same = std::find_if(alike.begin(), alike.end(), [&](const auto& known) {
-        return are_congruent(dual_, known->outline, its_class->outline);
-      });
-      if (same != alike.end()) {
-        its_class = *same;
-        ++counts_.congruent;
-      }
-    }
-    if (std::find(alike.begin(), alike.end(), its_class) == alike.end()) {
-      alike.push_back(its_class);
-      ++count;
-    }
-  }
-  return count == 1;
 }
 
 }  // namespace convexact

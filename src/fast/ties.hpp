@@ -2,7 +2,7 @@
 // ties.hpp - ranks the caps that doubles cannot distinguish.
 #pragma once
 #include <array>
-#include <memory>
+#include <cstdint>
 #include <optional>
 #include <unordered_map>
 #include <vector>
@@ -21,8 +21,9 @@ namespace convexact {
 [[nodiscard]] bool are_congruent(const FastDual& dual, const FacetOutline& a,
                                  const FacetOutline& b);
 
-/// Computes more about a few caps than their bounds in doubles: bounds in DoubleDouble, which of
-/// them are congruent, and the exact costs of those that are still undecided.
+/// Computes more about a few caps than their bounds in doubles: which of them are congruent, and
+/// for each class of these, once, bounds in DoubleDouble, and the exact cost if they are not
+/// enough.
 class TieBreaker {
  public:
   TieBreaker(const FastDual& dual, FilteredCap& cap, FastCounts& counts)
@@ -38,36 +39,35 @@ class TieBreaker {
   /// Reduces refined candidates to those of minimal cost: the tie. @return  What proves it.
   TieEvidence keep_cheapest(std::vector<HalfspaceId>& candidates, const CompareLimits& limits,
                             const Watch& watch);
-  /// Of a candidate that keep_cheapest() left among others: the same for caps that are known to be
-  /// congruent.
-  const void* class_of(HalfspaceId i) const { return refined_.at(i).cost_class.get(); }
+  /// Of a refined candidate: the same for all congruent ones.
+  const void* class_of(HalfspaceId i) const { return refined_.at(i); }
   /// The ring of i has changed, or is gone.
-  void forget(HalfspaceId i) { refined_.erase(i); }
+  void forget(HalfspaceId i);
 
  private:
-  // Caps that are known to be equally large.
+  // Congruent caps.
   struct CostClass {
-    FacetOutline outline;  // of one of them, as it was when the class was made
+    HalfspaceId first;                    // the one that it was made for
+    std::optional<FacetOutline> outline;  // of `first`, as it was; none while it is the only one
+    std::array<double, 3> sizes;          // FastDual::normal_sizes()
+    std::size_t members = 1;              // refined, and not forgotten since
+    CostBounds<DoubleDouble> bounds;      // once there is a cost, that cost, rounded
     std::optional<Cost> cost;
   };
-  // The same for congruent caps: the coordinates of the facet's normal without signs, ascending.
-  using Signature = std::array<double, 3>;
-  struct Refined {
-    CostBounds<DoubleDouble> bounds;
-    std::shared_ptr<CostClass> cost_class;  // null: not computed yet
-    bool is_exact = false;                  // the bounds are the exact cost, rounded
-  };
+  // By one of their sizes, in cells that are wide compared with its error.
+  using Classes = std::unordered_multimap<std::int64_t, CostClass>;
 
-  bool are_all_congruent(const std::vector<HalfspaceId>& candidates);
-  Signature signature_of(HalfspaceId i) const;
-  std::shared_ptr<CostClass> new_class(HalfspaceId i);
+  CostClass& class_for(HalfspaceId i);
+  CostClass* congruent_class(HalfspaceId i, const std::array<double, 3>& sizes);
+  bool is_congruent(CostClass& known, const FacetOutline& outline);
   TieEvidence keep_cheapest_class(std::vector<HalfspaceId>& candidates, const CompareLimits& limits,
                                   const Watch& watch);
 
   const FastDual& dual_;
   FilteredCap& cap_;
   FastCounts& counts_;
-  std::unordered_map<HalfspaceId, Refined> refined_;
+  Classes classes_;
+  std::unordered_map<HalfspaceId, CostClass*> refined_;
 };
 
 }  // namespace convexact

@@ -152,3 +152,14 @@ TEST_CASE("simplify_filtered: mirror images tie without a rational") {
     CHECK(result.counts.exact < 20);
   }
 }
+
+TEST_CASE("simplify_filtered: facets coplanar but for rounding, and alike, need few exact costs") {
+  const PointSet set(shapes::rounded_box({3, 2, 1}, 0.5, 6));
+  const HullOutcome hull = convex_hull(set);
+  const FastDual dual = FastDual::of(std::get<Hull>(hull), set);
+  const FastResult result = simplify_filtered(dual, {.faces = 18});
+  CHECK(result.steps.size() > 500);
+  CHECK(result.counts.doubtful > result.steps.size());  // doubles enclose few of these caps
+  CHECK(result.counts.exact < result.steps.size() / 20);
+  CHECK(result.counts.extended < result.steps.size() / 2);
+}
