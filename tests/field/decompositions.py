@@ -27,7 +27,8 @@ from mutate import obj_text  # noqa: E402
 from programs import BUILD, NOT_HERE, ROOT, decomposers, own_seconds, run_program  # noqa: E402
 from reading import Mesh, read  # noqa: E402
 from run import number_options  # noqa: E402
-from tables import PARTS_MESHES, parts_table, write_page  # noqa: E402
+from tables import PARTS_MESHES, edit_page, parts_matrix, parts_table, with_times, write_page  # noqa: E402
+from times import cell, timed_runs  # noqa: E402
 
 ASKED = "covers-points,covers-surface,parts-disjoint,parts-needed,parts-solid,parts-convex"
 COMPARED = ("parts-readable", "parts-finite", "parts-solid", "parts-convex", "covers-points", "covers-surface",
@@ -161,7 +162,7 @@ class Run:
         self.memory = Memory(self.folder / "verdicts.json", options.fresh)
 
     def digest(self):
-        return digest_of(self.options.digest, self.program.command, self.program.version, bytes_of(self.source), bytes_of(self.target))
+        return digest_of(self.options.digest, self.program.identity(), bytes_of(self.source), bytes_of(self.target))
 
     def known(self):
         return self.memory.recall(self.program.name, self.digest())
@@ -180,12 +181,17 @@ class Run:
             self.memory.keep(self.program.name, self.digest(), self.record, time.monotonic() - start)
 
     def decompose(self):
-        if self.options.fresh or not self.outcome_file.exists() or self.outcome_file.read_text() == "time" or self.program.is_ours():
+        outcome, identity = "time", self.program.identity()
+        if self.outcome_file.exists() and not self.options.fresh and not self.program.is_ours():
+            outcome, *before = self.outcome_file.read_text().split("\n")
+            outcome = outcome if before == [identity] else "time"
+        if outcome == "time":
             start = time.monotonic()
-            self.outcome_file.write_text(run_program(self.program, self.source, self.target, 0, self.options.time_limit))
+            outcome = run_program(self.program, self.source, self.target, 0, self.options.time_limit)
+            self.outcome_file.write_text(f"{outcome}\n{identity}")
             if self.program.is_ours():  # with its start, because it does not say how long it took
                 self.record["seconds"] = time.monotonic() - start
-        self.record["outcome"] = self.outcome_file.read_text()
+        self.record["outcome"] = outcome
         self.record.setdefault("seconds", own_seconds(self.target))
 
     def verify(self):
@@ -225,6 +231,8 @@ def parse_options(arguments):
     parser.add_argument("--verify-limit", type=float, default=300, help="seconds for one verdict (default 300)")
     parser.add_argument("--most", type=int, default=7000,
                         help="triangles of the largest surface that the independent judge tests (default 7000); points always")
+    parser.add_argument("--times", action="store_true",
+                        help="only time them on the meshes of the table, by the processor, each run followed by one of convexact-cut")
     parser.add_argument("--no-judge", action="store_true", help="ask convexact only")
     parser.add_argument("--fresh", action="store_true", help="run all decomposers again")
     parser.add_argument("--page", action="store_true", help="write the tables into docs/field.md, too")
@@ -232,7 +240,7 @@ def parse_options(arguments):
     options = parser.parse_args(arguments)
     if options.only:
         options.program, options.table = [options.only], True
-    if options.table:
+    if options.table or options.times:
         options.case = list(PARTS_MESHES)
     return options
 
@@ -260,6 +268,12 @@ def main(arguments=None):
     programs = [program for program in everything if not options.program or program.name in options.program]
     runs = [Run(case, mesh, program, options) for case, mesh in all_meshes().items() for program in programs
             if not program.missing and (not options.case or case in options.case)]
+    if options.times:
+        cells = {name: cell(times) for name, times in timed_runs(runs, options.time_limit).items()}
+        if options.page:
+            edit_page("decompositions", lambda old: with_times(old, cells))
+        print("\n".join(f"{name}: {text}" for name, text in cells.items()))
+        return 0
     print(f"{len(runs)} decompositions; {expected(runs, options.jobs)}", flush=True)
     for done, run in enumerate(runs, 1):
         run.settle()
@@ -275,6 +289,9 @@ def main(arguments=None):
     Path(options.report).write_text(json.dumps({"records": records}, indent=1) + "\n")
     table = parts_table(records, programs)
     write_page("decompositions", table, options.page, [program.name for program in everything])
+    if options.page:
+        matrix = parts_matrix(edit_page("decompositions", str.strip))
+        edit_page("matrix", lambda old: matrix)
     print(table)
     return report(records, [program for program in programs if program.missing], options)
 

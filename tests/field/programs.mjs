@@ -65,6 +65,13 @@ const triangles = (faces) => faces.flatMap((face) => face.slice(2).map((_, k) =>
 // Corners that the library repeats for each face stay repeated.
 const soup = (corners, single) => ({ points: corners, faces: triples(corners.map((_, k) => k)), single });
 
+// Without the points that no face uses: judges take all points of a file for the solid, so that a library which returns
+// indices into its input would hold every point by the input's own.
+function usedOnly(points, faces) {
+  const used = [...new Set(faces.flat())], index = new Map(used.map((corner, k) => [corner, k]));
+  return { points: used.map((corner) => points[corner]), faces: faces.map((face) => face.map((corner) => index.get(corner))) };
+}
+
 const programs = {
   async "three-hull"({ points }) {
     const { Vector3 } = await import("three");
@@ -91,14 +98,13 @@ const programs = {
     return soup(triples(geometry.getAttribute("position").array), true);
   },
 
-  async quickhull3d({ points }) {
+  async quickhull3d({ points }, options = undefined) {
     const { default: quickhull } = await import("quickhull3d");
-    return { points, faces: timed(() => quickhull(points)) };
+    return usedOnly(points, timed(() => quickhull(points, options)));
   },
 
-  async "quickhull3d-polygons"({ points }) {
-    const { default: quickhull } = await import("quickhull3d");
-    return { points, faces: timed(() => quickhull(points, { skipTriangulation: true })) };
+  async "quickhull3d-polygons"(input) {
+    return programs.quickhull3d(input, { skipTriangulation: true });
   },
 
   async jolt({ points }) {

@@ -13,6 +13,8 @@ from dataclasses import dataclass
 from functools import lru_cache
 from pathlib import Path
 
+from memory import digest_of
+
 HERE = Path(__file__).parent
 ROOT = HERE.parent.parent
 BUILD = ROOT / "build" / "field"
@@ -36,6 +38,12 @@ class Program:
     def words(self, source, target, faces):
         return [word.format(input=source, output=target, faces=faces) for word in self.command]
 
+    def identity(self):
+        """What an output depends on beside the input: the version, the words, and the scripts among them with what they import."""
+        scripts = [Path(word) for word in self.command if word.endswith((".py", ".mjs"))]
+        sources = [path.read_bytes() for script in scripts for path in (script, HERE / "adapter.py") if path.exists()]
+        return digest_of(self.version, [word.replace(str(ROOT), "") for word in self.command], *sources)
+
 
 # Packages of the Python index, in an environment; those of one package beside its name.
 PYTHON = {"scipy": "1.17.1", "trimesh": "5.2.0", "open3d": "0.20.0", "manifold3d": "3.5.4", "coal": "3.0.3", "pymeshlab": "2025.7.post1",
@@ -43,6 +51,8 @@ PYTHON = {"scipy": "1.17.1", "trimesh": "5.2.0", "open3d": "0.20.0", "manifold3d
           "vhacdx": "0.1.1", "pybullet": "3.2.7"}
 PYTHON_PARTS = ("coacd", "miniacd", "vhacdx", "pybullet")
 PYTHON_HULLS = {**{name: name for name in PYTHON if name not in PYTHON_PARTS}, "mujoco-32": "mujoco"}
+# Their boxes: halfspaces instead of faces.
+PYTHON_BOXES = {"trimesh-box": "trimesh", "open3d-box": "open3d", "open3d-least-box": "open3d"}
 PYTHON_NUMBERS = {"mujoco": "binary32", "mujoco-32": "binary32"}
 ENVIRONMENT = ROOT / "build" / "peers" / "bin" / "python"
 
@@ -58,7 +68,7 @@ CRATES_PARTS = {"parry-parts": ("parry3d", "binary32"), "parry-voxels": ("parry3
 BUILT_PARTS = {"hacd": "binary64", "hacd-full": "binary64", "ratcliff": "binary32"}
 BUILT = {"bullet-hull": ("bullet", "hull", "binary32"), "bullet-shape": ("bullet", "shape", "binary32"),
          "bullet64-hull": ("bullet64", "hull", "binary64"), "bullet64-shape": ("bullet64", "shape", "binary64"),
-         "cgal-doubles": ("cgal", "doubles", "binary64"), "cgal-predicates": ("cgal", "exact-predicates", "binary64")}
+         "cgal-doubles": ("cgal", "doubles", "binary64"), "cgal-predicates": ("cgal", "exact-predicates", "binary64"), "cgal-box": ("cgal", "box", "binary64")}
 # The engine in share/convexact/profiles.json whose tolerance a program promises. btShapeHull and V-HACD promise none.
 PROFILES = {"jolt": "jolt", "physx": "physx", "physx-shifting": "physx", "bullet-hull": "bullet", "bullet64-hull": "bullet",
             "ammo": "bullet", "manifold": "manifold", "qhull": "qhull", "qhull-triangles": "qhull",
@@ -133,6 +143,7 @@ def hull_programs():
                                 version=debian_version("qhull-bin")))
     programs += [python_program(name, package, PYTHON_NUMBERS.get(name, "binary64"), "python_hulls.py", "{faces}")
                  for name, package in PYTHON_HULLS.items()]
+    programs += [python_program(name, package, "binary64", "python_boxes.py", writes="txt") for name, package in PYTHON_BOXES.items()]
     return programs + [crate_program(name, *found) for name, found in CRATES.items()]
 
 
@@ -157,9 +168,9 @@ def built_program(name, binary, mode, numbers, package):
                    missing="" if path.exists() else f"build/field/bin/{binary} is not built", version=debian_version(package))
 
 
-def python_program(name, package, numbers, adapter, *more):
+def python_program(name, package, numbers, adapter, *more, writes="obj"):
     wanted, found = PYTHON[package], python_versions().get(package)
-    return Program(name, [str(ENVIRONMENT), str(HERE / adapter), name, "{input}", "{output}", *more], numbers, origin="python",
+    return Program(name, [str(ENVIRONMENT), str(HERE / adapter), name, "{input}", "{output}", *more], numbers, writes, origin="python",
                    missing="" if found == wanted else f"{package} {wanted} is not in the environment build/peers",
                    version=f"{package} {found}" if found else "")
 
@@ -188,7 +199,7 @@ def install_python(only):
     sys.path.insert(0, str(ROOT / "tests" / "reproduce"))
     from support import peer_environment  # pylint: disable=import-outside-toplevel
     for name, version in PYTHON.items():
-        if only and PYTHON_HULLS.get(only, only) != name:
+        if only and {**PYTHON_HULLS, **PYTHON_BOXES}.get(only, only) != name:
             continue
         try:
             peer_environment.require(peer_environment.environment(), name, version)

@@ -1,29 +1,15 @@
 # SPDX-License-Identifier: MIT
 """The packages of the Python index as programs of ./dev field: python_hulls.py NAME INPUT.obj OUTPUT.obj FACES
 
-Each gets the input's points (those that simplify: its faces, too) by the call that its own documents show first, and
-what it returns is written with all digits. The seconds of that call, the processor's if these are less, as on a busy machine,
-go to OUTPUT.obj.json. Exit code 4: the package raised
-an exception. A result without faces is no refusal: then there is no file, and the exit code is 0.
+Each gets the input's points (those that simplify: its faces, too) by the call that its own documents show first. What it
+returns is written with all digits, without the points that no face uses. The seconds of that call, the processor's if these
+are less, as on a busy machine, go to OUTPUT.obj.json. Exit code 4: the package raised an exception. A result without faces is
+no refusal: then there is no file, and the exit code is 0.
 """
-import json
 import sys
-import time
 
 import numpy as np
-
-
-def read_obj(path):
-    points, faces = [], []
-    with open(path, encoding="utf-8") as lines:
-        for line in lines:
-            words = line.split()
-            if words[:1] == ["v"]:
-                points.append([float(x) for x in words[1:4]])
-            elif words[:1] == ["f"]:
-                corners = [int(word) - 1 for word in words[1:]]
-                faces += [[corners[0], corners[k - 1], corners[k]] for k in range(2, len(corners))]
-    return np.array(points), np.array(faces, dtype=np.int32).reshape(-1, 3)
+from adapter import obj_lines, read_obj, run, timed, used_only
 
 
 def scipy(points, faces, count):
@@ -123,26 +109,12 @@ def pchs(points, faces, count):
 def main(name, source, target, count):
     points, faces = read_obj(source)
     call = {"mujoco-32": mujoco_32}.get(name) or globals()[name]
-    try:
-        for turn in range(2):  # the first one may load the package
-            start, used = time.perf_counter(), time.process_time()
-            corners, polygons = call(points, faces, int(count))
-            seconds = min(time.perf_counter() - start, time.process_time() - used)
-            if turn == 0 and seconds > 5:
-                break
-    except ImportError:
-        raise
-    except Exception as fault:  # pylint: disable=broad-exception-caught  # its own way to say no
-        sys.stderr.write(f"{type(fault).__name__}: {fault}"[:2000])
-        return 4
-    if len(polygons) == 0:
-        return 0
-    with open(target, "w", encoding="ascii") as out:
-        out.writelines("v " + " ".join(repr(float(x)) for x in p) + "\n" for p in corners)
-        out.writelines("f " + " ".join(str(int(k) + 1) for k in polygon) + "\n" for polygon in polygons)
-    with open(target + ".json", "w", encoding="ascii") as out:
-        json.dump({"seconds": seconds}, out)
-    return 0
+
+    def twice():
+        """The second of two calls counts, since the first one may load the package; but for a long one."""
+        first = timed(lambda: call(points, faces, int(count)))
+        return first if first[0] > 5 else timed(lambda: call(points, faces, int(count)))
+    return run(target, twice, lambda hull: obj_lines(*used_only(*hull)))
 
 
 if __name__ == "__main__":

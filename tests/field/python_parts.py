@@ -2,15 +2,14 @@
 """Decomposers of the Python index as programs of ./dev field: python_parts.py NAME INPUT.obj OUTPUT.obj
 
 Each with its defaults, by the call that its own documents show. An object for each part, with all digits; pybullet writes its
-file itself. The seconds of that call go to OUTPUT.obj.json. Exit code 4: the package raised an exception, or made no part.
+file itself. The seconds of that call go to OUTPUT.obj.json. Exit code 4: the package raised an exception. If it
+made no part there is no file, and the exit code is 0.
 """
-import json
 import sys
 import tempfile
-import time
 
 import numpy as np
-from python_hulls import read_obj
+from adapter import parts_lines, read_obj, run, timed, write_seconds
 
 
 def coacd(points, faces):
@@ -32,23 +31,6 @@ def vhacdx(points, faces):
             for corners, found in package.compute_vhacd(points, flat)]
 
 
-def text_of(parts):
-    lines, base = [], 1
-    for number, (corners, triangles) in enumerate(parts):
-        lines.append(f"o part_{number:03}")
-        lines += ["v " + " ".join(repr(float(x)) for x in corner) for corner in corners]
-        lines += ["f " + " ".join(str(int(k) + base) for k in triangle) for triangle in triangles]
-        base += len(corners)
-    return "\n".join(lines) + "\n"
-
-
-def timed(call):
-    """The seconds of a call, the processor's if these are less, as on a busy machine; and what it returned."""
-    start, used = time.perf_counter(), time.process_time()
-    result = call()
-    return min(time.perf_counter() - start, time.process_time() - used), result
-
-
 def pybullet(source, target):
     import pybullet as package
     package.connect(package.DIRECT)
@@ -58,24 +40,11 @@ def pybullet(source, target):
 
 def main(name, source, target):
     if name == "pybullet":
-        seconds = pybullet(source, target)
-    else:
-        points, faces = read_obj(source)
-        try:
-            __import__(name)  # loading it is not measured
-            seconds, parts = timed(lambda: globals()[name](points, faces))
-        except ImportError:
-            raise
-        except Exception as fault:  # pylint: disable=broad-exception-caught  # its own way to say no
-            sys.stderr.write(f"{type(fault).__name__}: {fault}"[:2000])
-            return 4
-        if len(parts) == 0:
-            return 4
-        with open(target, "w", encoding="ascii") as out:
-            out.write(text_of(parts))
-    with open(target + ".json", "w", encoding="ascii") as out:
-        json.dump({"seconds": seconds}, out)
-    return 0
+        write_seconds(target, pybullet(source, target))
+        return 0
+    points, faces = read_obj(source)
+    __import__(name)  # loading it is not measured
+    return run(target, lambda: timed(lambda: globals()[name](points, faces)), parts_lines)
 
 
 if __name__ == "__main__":

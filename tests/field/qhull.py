@@ -2,8 +2,9 @@
 """Qhull as a program of ./dev field: qhull.py OPTIONS INPUT.obj OUTPUT.obj
 
 Runs `qhull OPTIONS s o` (OPTIONS with commas between them, such as Q0,Pp) and keeps its 16 digits; with a leading `=` the
-faces keep the input's own coordinates, by Qhull's indices. Qhull lists corners clockwise; they are turned. Its own summary says how many seconds of the processor the hull took, which go
-to OUTPUT.obj.json.
+faces keep the input's own coordinates, by Qhull's indices. It prints all points of its input; those that no face uses are left
+out, because judges take all points of a file for the solid. Qhull lists corners clockwise; they are turned. Its own summary
+says how many seconds of the processor the hull took, which go to OUTPUT.obj.json.
 """
 import json
 import re
@@ -22,11 +23,11 @@ def main(options, source, target):
     lines = done.stdout.split("\n")
     count, faces, _ = map(int, lines[1].split())
     printed = points if options.startswith("=") else [line.split() for line in lines[2:2 + count]]
+    polygons = [[int(corner) for corner in line.split()[:0:-1]] for line in lines[2 + count:2 + count + faces]]
+    index = {corner: k for k, corner in enumerate(dict.fromkeys(corner for polygon in polygons for corner in polygon), 1)}
     with open(target, "w", encoding="ascii") as out:
-        for point in printed:
-            out.write("v " + " ".join(point) + "\n")
-        for line in lines[2 + count:2 + count + faces]:
-            out.write("f " + " ".join(str(int(corner) + 1) for corner in line.split()[:0:-1]) + "\n")
+        out.writelines("v " + " ".join(printed[corner]) + "\n" for corner in index)
+        out.writelines("f " + " ".join(str(index[corner]) for corner in polygon) + "\n" for polygon in polygons)
     seconds = re.search(r"CPU seconds to compute hull.*?: *([0-9.e+-]+)", done.stderr)
     with open(target + ".json", "w", encoding="ascii") as out:
         json.dump({"seconds": float(seconds[1]) if seconds else None}, out)

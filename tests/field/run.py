@@ -11,7 +11,6 @@ import argparse
 import json
 import os
 import random
-import subprocess
 import sys
 import time
 from collections import Counter
@@ -24,7 +23,9 @@ from judge import Input, judge_files  # noqa: E402
 from memory import Memory, bytes_of, digest_of, expectation, judges_digest  # noqa: E402
 from mutate import mutations, obj_text, off_text, ply_bytes  # noqa: E402
 from programs import BUILD, NOT_HERE, ROOT, all_programs, own_seconds, run_program  # noqa: E402
+from real_meshes import real_meshes  # noqa: E402
 from reading import Malformed, Mesh, NotFinite, read, vector_number  # noqa: E402
+from subjects import hull_finding, write_subject  # noqa: E402
 from tables import found_in, hull_table, write_page  # noqa: E402
 
 TOLERANCES = ("1e-15d", "1e-9d", "1e-6d", "1e-2d")
@@ -53,6 +54,13 @@ def all_cases(wanted):
     for path in sorted((ROOT / "tests" / "data").glob("*.obj")):
         cases[path.stem] = (path.stem, read(path).points, 18)
     return sorted((case for case in cases.values() if wanted in case[0]), key=lambda case: len(case[1]))
+
+
+def real_cases(wanted):
+    """As all_cases(), of real meshes, and why others are missing. Files of STL repeat their points for each triangle."""
+    meshes, reasons = real_meshes()
+    cases = [(name, list(dict.fromkeys(mesh.points)), 18) for name, mesh in meshes if wanted in name]
+    return sorted(cases, key=lambda case: len(case[1])), reasons
 
 
 def input_text(given):
@@ -100,13 +108,14 @@ class Case:
         return self.folder / f"{program.name}.{program.writes}"
 
     def digest_with(self, program):
-        return digest_of(self.digest, program.command, program.version, program.promise, bytes_of(self.target_of(program)))
+        numbers = () if program.numbers == "binary64" else (program.numbers,)
+        return digest_of(self.digest, program.identity(), program.promise, bytes_of(self.target_of(program)), *numbers)
 
     def expected(self, programs):
         """Seconds of what is still to do: those measured before, and guesses for the rest."""
         todo = [program.name for program in programs if self.memory.recall(program.name, self.digest_with(program)) is None]
         known = [self.memory.seconds(name) for name in todo]
-        guessed = [1 + 0.03 * min(len(self.points), 1000) for seconds in known if seconds is None]
+        guessed = [1 + 0.005 * min(len(self.points), 1000) for seconds in known if seconds is None]
         if todo and self.memory.recall("input", self.digest_of_input) is None:
             guessed.append(5e-5 * len(self.points) ** 1.5)
         return [seconds for seconds in known if seconds is not None], guessed
@@ -160,14 +169,16 @@ class Case:
 
     def run(self, program):
         target = self.target_of(program)
-        if self.outcomes.get(program.name, "time") == "time" or program.is_ours():
+        outcome, identity = self.outcomes.get(program.name, ("time", ""))
+        if outcome == "time" or identity != program.identity() or program.is_ours():
             start = time.monotonic()
-            self.outcomes[program.name] = run_program(program, self.source, target, self.faces, self.options.time_limit)
+            outcome = run_program(program, self.source, target, self.faces, self.options.time_limit)
+            self.outcomes[program.name] = outcome, program.identity()
             if program.is_ours():  # with its start, because it does not say how long it took
                 self.own[program.name] = time.monotonic() - start
-        if self.outcomes[program.name] != "output":
-            return [self.record(program.name, target, self.outcomes[program.name], [])]
-        numbers = program.numbers if self.options.binary32 else "binary64"
+        if outcome != "output":
+            return [self.record(program.name, target, outcome, [])]
+        numbers = program.numbers
         records = self.settle(program.name, target, numbers, (None, self.random(program.name).choice(TOLERANCES)))
         self.add_own(program, target, numbers, records[0])
         return records
@@ -227,6 +238,16 @@ def run_case(work):
     return records
 
 
+def write_subjects(records, programs, work, options):
+    """A page for each program, of the verdicts without a tolerance."""
+    faces = {case[0]: case[2] for case in work}
+    for program in programs:
+        mine = [record for record in records if record["program"] == program.name and record["tolerance"] is None]
+        found = [hull_finding(program, record, BUILD / "out" / record["case"] / "input.obj", BUILD / record["file"], faces[record["case"]])
+                 for record in mine]
+        write_subject(options.convexact, program, [finding for finding in found if finding], len(mine), options)
+
+
 def table(records):
     rows, head = {}, ["program", "outputs", "none", "agree", *Differences.KINDS]
     for record in records:
@@ -242,11 +263,6 @@ def table(records):
                                for k, (cell, width) in enumerate(zip(line, widths))) for line in [head, *lines])
 
 
-def understands_binary32(convexact):
-    done = subprocess.run([convexact, "verify", "--help"], capture_output=True, text=True, check=False)
-    return "--numbers" in done.stdout
-
-
 def parse_options(arguments):
     parser = argparse.ArgumentParser(prog="./dev field", description=__doc__.split("\n", maxsplit=1)[0])
     parser.add_argument("--convexact", required=True, help="the program to be judged (./dev field names it)")
@@ -260,12 +276,15 @@ def parse_options(arguments):
     parser.add_argument("--mutants", type=int, default=1, help="outputs of each input to be damaged (default 1)")
     parser.add_argument("--every", type=int, default=1, help="only every Nth input (default 1)")
     parser.add_argument("--meshes", action="store_true", help="with --every: the meshes of tests/data in any case")
+    parser.add_argument("--real", action="store_true", help="real meshes of packages of robots instead of vectors and tests/data")
     parser.add_argument("--fresh", action="store_true", help="run all programs again, also where their output is there")
     parser.add_argument("--page", action="store_true", help="write the table into docs/field.md, too")
+    parser.add_argument("--shrink", type=float, default=0, metavar="SECONDS",
+                        help="reduce the worst input of each program, in so much time, for its page in build/field/subjects")
     parser.add_argument("-o", dest="report", default=str(BUILD / "report.json"), help="the report as JSON")
     options = parser.parse_args(arguments)
     if options.only:
-        options.program, options.every, options.meshes, options.mutants = [options.only], 4, True, 0
+        options.program, options.every, options.meshes, options.mutants = [options.only], 1 if options.real else 4, True, 0
     if options.page and options.case:
         parser.error("--page shows programs over a sample of all inputs, so not with --case")
     return options
@@ -274,12 +293,12 @@ def parse_options(arguments):
 def main(arguments=None):
     options = parse_options(arguments)
     options.convexact = str(Path(options.convexact).resolve())
-    options.binary32 = understands_binary32(options.convexact)
     options.digest = judges_digest(bytes_of(Path(options.convexact)), options.most, options.verify_limit)
-    work = [(*case, options) for number, case in enumerate(all_cases(options.case))
+    cases, skipped = real_cases(options.case) if options.real else (all_cases(options.case), {})
+    work = [(*case, options) for number, case in enumerate(cases)
             if number % options.every == 0 or (options.meshes and case[0] in MESHES)]
-    skipped = {program.name: program.missing for program in all_programs(options.convexact)
-               if program.missing and (not options.program or program.name in options.program)}
+    skipped.update({program.name: program.missing for program in all_programs(options.convexact)
+                    if program.missing and (not options.program or program.name in options.program)})
     programs, records = chosen_programs(options), []
     costs = [Case(*case).expected(programs) for case in work]
     print(f"{len(work)} inputs, {len(programs)} programs; "
@@ -294,7 +313,9 @@ def main(arguments=None):
     differing = [record for record in records if record["differences"]]
     Path(options.report).write_text(json.dumps({"skipped": skipped, "records": records}, indent=1) + "\n")
     everything = all_programs(options.convexact)
-    write_page("hulls", hull_table(records, everything, len(work)), options.page, [program.name for program in everything])
+    write_page("real" if options.real else "hulls", hull_table(records, everything, len(work), options.real), options.page,
+               [program.name for program in everything])
+    write_subjects(records, programs, work, options)
     print(table(records))
     for record in differing[:60]:
         for kind, claim, sentence in record["differences"]:

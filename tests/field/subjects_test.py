@@ -1,5 +1,8 @@
 # SPDX-License-Identifier: MIT
 """Every program of ./dev field has an adapter and a pinned version; rows of a page are replaced by name; a run resumes."""
+import hashlib
+import importlib.util
+import json
 import re
 import sys
 import tempfile
@@ -9,6 +12,8 @@ from pathlib import Path
 HERE = Path(__file__).parent
 sys.path.insert(0, str(HERE))
 import programs  # noqa: E402
+import real_meshes  # noqa: E402
+import subjects  # noqa: E402
 import tables  # noqa: E402
 from memory import Memory, digest_of, expectation  # noqa: E402
 
@@ -17,6 +22,8 @@ class Subjects(unittest.TestCase):
     def test_every_name_has_an_adapter(self):
         functions = set(re.findall(r"^def (\w+)\(", (HERE / "python_hulls.py").read_text(), re.MULTILINE))
         self.assertLessEqual({name.replace("-", "_") for name in programs.PYTHON_HULLS}, functions)
+        functions = set(re.findall(r"^def (\w+)\(", (HERE / "python_boxes.py").read_text(), re.MULTILINE))
+        self.assertLessEqual({name.replace("-", "_") for name in programs.PYTHON_BOXES}, functions)
         functions = set(re.findall(r"^def (\w+)\(", (HERE / "python_parts.py").read_text(), re.MULTILINE))
         self.assertLessEqual(set(programs.PYTHON_PARTS), functions)
         arms = set(re.findall(r'^ +"([\w-]+)" => obj_text', (HERE / "crates" / "crates.rs").read_text(), re.MULTILINE))
@@ -40,6 +47,69 @@ class Subjects(unittest.TestCase):
             self.assertTrue(f"| {subject}" in page, name)
 
 
+class Outputs(unittest.TestCase):
+    @unittest.skipUnless(importlib.util.find_spec("numpy"), "the adapters of Python packages need numpy")
+    def test_points_that_no_face_uses_are_left_out(self):
+        from adapter import used_only  # pylint: disable=import-outside-toplevel
+        points = [(0, 0, 0), (9, 9, 9), (1, 0, 0), (0, 1, 0)]
+        self.assertEqual(used_only(points, [[3, 0, 2], [2, 0, 3]]),
+                         ([(0, 1, 0), (0, 0, 0), (1, 0, 0)], [[0, 1, 2], [2, 1, 0]]))
+
+    def test_the_identity_of_a_program_knows_its_scripts(self):
+        with tempfile.TemporaryDirectory() as folder:
+            script = Path(folder) / "a.py"
+            script.write_text("1")
+            program = programs.Program("a", ["python3", str(script), "{input}"])
+            before = program.identity()
+            self.assertEqual(program.identity(), before)
+            script.write_text("2")
+            self.assertNotEqual(program.identity(), before)
+
+
+class Findings(unittest.TestCase):
+    PROGRAM = programs.Program("p", ["p", "{input}", "{output}"], promise="1e-9d")
+    GOOD = {"solid": True, "contains": True, "planar": True, "convex": True, "relative": None, "outside": 0}
+
+    def finding(self, outcome="exit 0", case="c", **found):
+        record = {"case": case, "outcome": outcome, "found": {**self.GOOD, **found} if outcome.startswith("exit") else None}
+        return subjects.hull_finding(self.PROGRAM, record, Path("i.obj"), Path("o.obj"), 8)
+
+    def test_refusals_and_right_answers_are_none(self):
+        self.assertIsNone(self.finding())
+        self.assertIsNone(self.finding("refused 4"))
+
+    def test_the_worst_come_first(self):
+        found = [self.finding(case="round", contains=False, relative="1e-12", keeps_promise=True), self.finding(case="bent", convex=False),
+                 self.finding(case="near", contains=False, relative="0.1"), self.finding(case="far", contains=False, relative="0.5"),
+                 self.finding(case="middle", contains=False, relative="0.3"), self.finding(case="flat", solid=False),
+                 self.finding("no file", case="empty"), self.finding("signal 11", case="dead")]
+        expected = ["dead", "empty", "flat", "far", "middle"]  # two of a kind, five in all
+        self.assertEqual([finding.case for finding in subjects.worst(found)], expected)
+        self.assertEqual([finding.case for finding in subjects.worst(found[::-1])], expected)
+
+    def test_what_is_reduced_keeps_the_fault(self):
+        self.assertEqual(self.finding(contains=False, relative="0.1").shrink,
+                         ["--fails-if", "verdict", "--claims", "contains-input", "--tolerance", "1e-9d"])
+        self.assertEqual(self.finding(contains=False, relative="1e-12", keeps_promise=True).shrink,
+                         ["--fails-if", "verdict", "--claims", "contains-input"])
+        self.assertEqual(self.finding("signal 11").shrink, ["--fails-if", "exit"])
+
+
+class RealMeshes(unittest.TestCase):
+    def test_thirty_pinned_files_of_pinned_packages(self):
+        listed = json.loads(real_meshes.LIST.read_text())
+        for entry in (*listed["meshes"], *listed["packages"].values()):
+            self.assertRegex(entry["sha256"], "^[0-9a-f]{64}$")
+        for key, count in (("name", 30), ("sha256", 30), ("package", len(listed["packages"]))):
+            self.assertEqual(len({entry[key] for entry in listed["meshes"]}), count)
+
+    def test_another_file_is_refused(self):
+        empty = hashlib.sha256(b"").hexdigest()
+        self.assertEqual(real_meshes.checked(b"", {"sha256": empty}, "f"), b"")
+        with self.assertRaisesRegex(real_meshes.Missing, "f is another file"):
+            real_meshes.checked(b"x", {"sha256": empty}, "f")
+
+
 class Pages(unittest.TestCase):
     OLD = "| a | b |\n| --- | ---: |\n| `one` | 1 |\n| `two` | 2 |\n| `gone` | 3 |\n"
 
@@ -55,6 +125,23 @@ class Pages(unittest.TestCase):
     def test_other_columns_are_refused(self):
         with self.assertRaises(ValueError):
             tables.with_old_rows("| a | c |\n| --- | ---: |\n| `two` | 22 |", self.OLD, ["two"])
+
+
+    def test_times_are_replaced_in_the_rows_of_their_names(self):
+        head = "| " + " | ".join(tables.PARTS_HEAD) + " |"
+        column = tables.PARTS_HEAD.index("its time")
+        old, new = (" | ".join(["| `a`", *("x" if k != column else time for k in range(1, len(tables.PARTS_HEAD)))]) + " |"
+                    for time in ("-, -", "1 s, 2 s"))
+        self.assertEqual(tables.with_times("\n".join([head, old, old.replace("`a`", "`b`")]), {"a": "1 s, 2 s"}),
+                         "\n".join([head, new, old.replace("`a`", "`b`")]))
+
+
+    def test_the_matrix_counts_meshes_and_faults(self):
+        cells = {"parts": "2, 3", "points outside": "0, 1e-3%", "surface outside": "0, 0", "volume outside": "-, 0",
+                 "parts with faults": "8 flat, 12 pairs overlap"}
+        row = "| `a` | " + " | ".join(cells.get(name, "x") for name in tables.PARTS_HEAD[1:]) + " |"
+        self.assertEqual(tables.parts_matrix(f"head\nrule\n{row}\n").split("\n")[2],
+                         "| `a` | 1 of 2 | all | 1 of 2 | 8 | 0 | 12 | 0 | 5 |")
 
 
 class Memories(unittest.TestCase):

@@ -85,12 +85,15 @@ HULL_HEAD = ["program", "package", "inputs; date", "outputs", "solid", "hold the
              "are the hull", "convex", "planar", "median time", "time: bunny, spot, teapot", "facets"]
 
 
-def hull_table(records, programs, inputs):
+def hull_table(records, programs, inputs, real=False):
+    """Real meshes are no peers of bunny, spot and teapot, whose columns are left out."""
     by_name = {}
     for record in records:
         if record["found"] and "seconds" in record["found"]:
             by_name.setdefault(record["program"], []).append({"case": record["case"], **record["found"]})
-    return markdown(HULL_HEAD, [hull_row(program, by_name[program.name], inputs) for program in programs if program.name in by_name], left=2)
+    columns = len(HULL_HEAD) - 2 * real
+    rows = [hull_row(program, by_name[program.name], inputs)[:columns] for program in programs if program.name in by_name]
+    return markdown(HULL_HEAD[:columns], rows, left=2)
 
 
 def with_old_rows(text, old, names):
@@ -104,18 +107,35 @@ def with_old_rows(text, old, names):
     return "\n".join(head + [rows[name] for name in names if name in rows])
 
 
+def edit_page(name, change):
+    """Puts change(table) in the place of the table between the two marks of that name in the page, and returns it."""
+    page = PAGE.read_text()
+    marks = re.search(rf"(<!-- {name}: .*?-->\n)(.*?)(<!-- end of {name} -->)", page, re.DOTALL)
+    if not marks:
+        raise ValueError(f"docs/field.md has no marks for {name}")
+    table = change(marks[2])
+    PAGE.write_text(page[:marks.start()] + marks[1] + "\n" + table + "\n\n" + marks[3] + page[marks.end():])
+    return table
+
+
 def write_page(name, text, into_page, names):
-    """To build/field, and into the table between the two marks of that name in the page."""
+    """To build/field, and into the page."""
     BUILD.mkdir(parents=True, exist_ok=True)
     (BUILD / f"{name}.md").write_text(text + "\n")
     if into_page:
-        page = PAGE.read_text()
-        pattern = re.compile(rf"(<!-- {name}: .*?-->\n)(.*?)(<!-- end of {name} -->)", re.DOTALL)
-        marks = pattern.search(page)
-        if not marks:
-            raise ValueError(f"docs/field.md has no marks for {name}")
-        table = with_old_rows(text, marks[2], names)
-        PAGE.write_text(page[:marks.start()] + marks[1] + "\n" + table + "\n\n" + marks[3] + page[marks.end():])
+        edit_page(name, lambda old: with_old_rows(text, old, names))
+
+
+def with_times(old, cells):
+    """The table of decomposers with other times, by the names of the rows."""
+    column, lines = PARTS_HEAD.index("its time"), []
+    for line in old.strip().split("\n"):
+        words = line.split(" | ")
+        name = line.split("`")[1] if "`" in line else ""
+        if name in cells:
+            words[column] = cells[name]
+        lines.append(" | ".join(words))
+    return "\n".join(lines)
 
 
 def middle(bounds):
@@ -178,3 +198,26 @@ def parts_table(records, programs):
         if all(mesh in found for mesh in PARTS_MESHES):
             rows.append(parts_row(program, [found[mesh] for mesh in PARTS_MESHES]))
     return markdown(PARTS_HEAD, rows, left=2)
+
+
+FAULTS = ("flat", "not convex", "pairs overlap", "within another")
+
+
+def matrix_row(cells):
+    """By question: on how many meshes nothing is outside; how many parts and faults there are in all."""
+    def held(name):
+        values = cells[name].split(", ")
+        return said(sum(value == "0" for value in values), len(values))
+
+    def count(words):
+        found = re.search(rf"(\d+) {words}", cells["parts with faults"])
+        return found[1] if found else "0"
+    parts = [int(word) for word in cells["parts"].split(", ") if word.isdigit()]
+    return [cells["decomposer"], held("points outside"), held("surface outside"), held("volume outside"), *map(count, FAULTS), str(sum(parts))]
+
+
+def parts_matrix(table):
+    """The table of decomposers in short, a column for each question."""
+    rows = [[word.strip() for word in line.strip("| ").split(" | ")] for line in table.strip().split("\n")[2:]]
+    head = ["decomposer", "holds all points", "all of the surface", "the solid", *FAULTS, "parts"]
+    return markdown(head, [matrix_row(dict(zip(PARTS_HEAD, row))) for row in rows])

