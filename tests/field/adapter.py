@@ -16,7 +16,7 @@ def read_obj(path):
             if words[:1] == ["v"]:
                 points.append([float(x) for x in words[1:4]])
             elif words[:1] == ["f"]:
-                corners = [int(word) - 1 for word in words[1:]]
+                corners = [int(word.split("/")[0]) - 1 for word in words[1:]]
                 faces += [[corners[0], corners[k - 1], corners[k]] for k in range(2, len(corners))]
     return np.array(points), np.array(faces, dtype=np.int32).reshape(-1, 3)
 
