@@ -83,8 +83,10 @@ std::size_t cell_towards(const Point& to, std::size_t n) {
 std::vector<Point> farthest_of(const std::vector<Point>& points, std::size_t n) {
   const NearBox box = box_of(points);
   const Point middle = (box.low + box.high) / 2;
+  // What is thinner than this is flat here; its inverse, times any extent, stays finite.
+  constexpr double kThinnest = 0x1p-500;
   const Point to_unit =
-      (box.high - box.low).unaryExpr([](double x) { return x > 0 ? 1 / x : 0.0; });
+      (box.high - box.low).unaryExpr([](double x) { return x > kThinnest ? 1 / x : 0.0; });
   constexpr std::size_t kNone = ~std::size_t{0};
   std::vector<std::pair<double, std::size_t>> farthest(6 * n * n, {0, kNone});
   for (std::size_t k = 0; k < points.size(); ++k) {

@@ -68,11 +68,13 @@ bool FastDual::precedes(HalfspaceId i, HalfspaceId j) const {
   return exact(i) < exact(j);
 }
 
-// The outward normal up to rounding, its largest entry +-1.
+// The outward normal up to rounding, its largest entry +-1; zero where doubles are too short for
+// it, as for a plane whose axis has far larger numbers than the others.
 std::array<double, 3> FastDual::direction(HalfspaceId i) const {
   std::array<double, 3> n{near(i).x * axis_weight_[0], near(i).y * axis_weight_[1],
                           near(i).z * axis_weight_[2]};
   const double largest = std::max({std::abs(n[0]), std::abs(n[1]), std::abs(n[2])});
+  if (!(largest >= std::numeric_limits<double>::min())) return {0, 0, 0};
   for (double& x : n) x /= largest;
   return n;
 }

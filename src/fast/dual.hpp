@@ -115,7 +115,8 @@ class FastDual {
   /// Whether i stands before j in canonical order.
   bool precedes(HalfspaceId i, HalfspaceId j) const;
   /// The sizes of the entries of the normal, up to rounding, over the largest of them, ascending:
-  /// the same for facets that a symmetry of the axes carries to each other.
+  /// the same for facets that a symmetry of the axes carries to each other. Zeros where doubles
+  /// are too short for the normal: they tell nothing.
   std::array<double, 3> normal_sizes(HalfspaceId i) const;
   /// What two such sizes may differ by where the true ones are equal, and more than that.
   static constexpr double kEqualSizes = 0x1p-40;

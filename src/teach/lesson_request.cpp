@@ -21,14 +21,12 @@ using nlohmann::json;
 
 std::vector<CostMeasure> measures_in(const json& request) {
   std::vector<CostMeasure> measures;
-  for (const json& name : request.value("measures", json::array())) {
-    const auto measure =
-        name.is_string() ? value_in(kCostMeasureNames, name.get<std::string>()) : std::nullopt;
-    if (!measure) {
-      reject_request("measures out of volume, area and mean-width, found " +
-                     in_quotes(dump_json(name)));
-    }
-    measures.push_back(*measure);
+  const auto is_known = [](const std::string& name) {
+    return value_in(kCostMeasureNames, name).has_value();
+  };
+  for (const std::string& name :
+       texts_in(request, "measures", "measures out of volume, area and mean-width", is_known)) {
+    measures.push_back(*value_in(kCostMeasureNames, name));
   }
   return measures;
 }

@@ -83,6 +83,22 @@ std::optional<bool> flag_in(const json& request, const char* key) {
   return request[key].get<bool>();
 }
 
+std::vector<std::string> texts_in(const json& request, const char* key, const std::string& expected,
+                                  const std::function<bool(const std::string&)>& accepted) {
+  const auto list = request.find(key);
+  if (list == request.end()) return {};
+  const auto refuse = [&](const json& found) {
+    reject_request(expected + ", found " + in_quotes(dump_json(found)));
+  };
+  if (!list->is_array()) refuse(*list);
+  std::vector<std::string> texts;
+  for (const json& text : *list) {
+    if (!text.is_string() || !accepted(text.get<std::string>())) refuse(text);
+    texts.push_back(text.get<std::string>());
+  }
+  return texts;
+}
+
 std::optional<std::string> word_in(const json& request, const char* key) {
   if (!request.contains(key)) return std::nullopt;
   if (!request[key].is_string()) reject_request(std::string(key) + " as a string");

@@ -8,6 +8,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "convexact/error.hpp"
 #include "convexact/geometry.hpp"
@@ -39,6 +40,12 @@ void read_fields(const nlohmann::json& object, const BoundFields& fields);
 
 /// The text under a key, if the request has it. @throws Error Malformed.
 [[nodiscard]] std::optional<std::string> word_in(const nlohmann::json& request, const char* key);
+
+/// The texts under a key, none if the request does not have it. @throws Error Malformed unless it
+/// is a list of texts that are `accepted`: "expected `expected`, found ...".
+[[nodiscard]] std::vector<std::string> texts_in(
+    const nlohmann::json& request, const char* key, const std::string& expected,
+    const std::function<bool(const std::string&)>& accepted);
 
 /// One of a few words under a key, if the request has it. @throws Error Malformed.
 template <class Value, std::size_t N>

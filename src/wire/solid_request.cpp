@@ -33,16 +33,10 @@ struct Extras {
 };
 
 std::vector<std::string> files_in(const json& request) {
-  std::vector<std::string> names;
-  for (const json& name : request.value("files", json::array())) {
-    if (!name.is_string() || !is_result_file(name.get<std::string>())) {
-      reject_request(
-          "files as names that end in .obj, .off, .ply, .stl, .glb, .xyz, .json, .ine, .txt or "
-          ".proof, found " +
-          in_quotes(dump_json(name)));
-    }
-    names.push_back(name.get<std::string>());
-  }
+  const std::vector<std::string> names = texts_in(
+      request, "files",
+      "files as names that end in .obj, .off, .ply, .stl, .glb, .xyz, .json, .ine, .txt or .proof",
+      is_result_file);
   return names;
 }
 
@@ -113,15 +107,13 @@ GivenFields simplify_options_in(const json& request) {
 }
 
 std::vector<KeepSelector> keep_in(const json& request, const SceneObject& input) {
-  std::vector<std::string> texts;
-  for (const json& text : request.value("keep", json::array())) {
-    // The points and triangles of a request are in no groups.
-    if (!text.is_string() || text.get<std::string>().starts_with("group:")) {
-      reject_request("keep as texts id:N,..., plane:NX,NY,NZ,D or normal:X,Y,Z[:DEGREES], found " +
-                     in_quotes(dump_json(text)));
-    }
-    texts.push_back(text.get<std::string>());
-  }
+  // The points and triangles of a request are in no groups, and have no name.
+  const auto is_selector = [](const std::string& text) {
+    return text.starts_with("id:") || text.starts_with("plane:") || text.starts_with("normal:");
+  };
+  const std::vector<std::string> texts =
+      texts_in(request, "keep",
+               "keep as texts id:N,..., plane:NX,NY,NZ,D or normal:X,Y,Z[:DEGREES]", is_selector);
   return keep_selectors("keep", texts, std::span(&input, 1))[0];
 }
 

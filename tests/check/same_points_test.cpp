@@ -110,6 +110,15 @@ TEST_CASE("same points: OFF, PLY, STL and XYZ, as text and as bytes (#13)") {
   CHECK(verdict_on("a.ply", binary, 9.5) == 1);
   CHECK(verdict_on("a.ply", binary + "x", 9.0) == 3);
   CHECK(verdict_on("a.ply", binary.substr(0, binary.size() - 1), 9.0) == 3);
+  // Signed integers down to their lowest.
+  for (const int x : {-128, -127, 127}) {
+    const std::string bytes =
+        "ply\nformat binary_little_endian 1.0\nelement vertex 4\n"
+        "property char x\nproperty char y\nproperty char z\nend_header\n" +
+        std::string("\0\0\0\x8\0\0\0\x8\0", 9) + std::string{static_cast<char>(x), '\0', '\x8'};
+    CHECK(verdict_on("a.ply", bytes, x) == 0);
+    CHECK(verdict_on("a.ply", bytes, -x) == 1);
+  }
   std::string stl(80, 's');
   stl += std::string("\2\0\0\0", 4);
   for (const int fourth : {6, 9}) {

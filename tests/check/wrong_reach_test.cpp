@@ -115,6 +115,68 @@ TEST_CASE("reach proof: a direction that separates nothing, or twice, is refused
   check_refused(forged, "a part may reach into an open cell");
 }
 
+namespace {
+
+struct CubeOfCell {
+  RationalPoint center;
+  Rational half;
+};
+
+// The cubes of all cells of a proof, from its root and the order of its lines.
+std::vector<CubeOfCell> cubes_of(const ProofText& proof) {
+  const Line& root = proof.lines[first(proof, "root", "")];
+  std::vector<CubeOfCell> cubes,
+      next = {{{parse_rational(root[1]), parse_rational(root[2]), parse_rational(root[3])},
+               parse_rational(root[4])}};
+  for (const std::size_t l : proof.all("cell")) {
+    const CubeOfCell cube = next.back();
+    next.pop_back();
+    cubes.push_back(cube);
+    if (proof.lines[l][1] != "split") continue;
+    for (int child = 7; child >= 0; --child) {  // the first of the eight is to be on top
+      CubeOfCell below{cube.center, cube.half / 2};
+      for (int k = 0; k < 3; ++k) below.center[k] += (child >> k & 1 ? 1 : -1) * below.half;
+      next.push_back(below);
+    }
+  }
+  return cubes;
+}
+
+// Whether all of the cube is farther along n than every vertex of the part.
+bool separates(const RationalVector3& n, const CubeOfCell& cube, const ConvexPart& part) {
+  const Rational nearest = n.dot(cube.center) - cube.half * n.cwiseAbs().sum();
+  return std::all_of(part.vertices.begin(), part.vertices.end(),
+                     [&](const RationalPoint& x) { return n.dot(x) < nearest; });
+}
+
+}  // namespace
+
+TEST_CASE("reach proof: a direction is accepted iff it separates the cell from the part") {
+  const Decomposition parts = decomposed(dented_cube(), guarded());
+  const ProofText good(write_decomposition_proof(parts, guarded()));
+  const std::vector<CubeOfCell> cubes = cubes_of(good);
+  const std::size_t line = good.all("beyond")[0];
+  const std::size_t cell = std::stoul(good.lines[line][1]), part = std::stoul(good.lines[line][2]);
+  std::size_t accepted = 0, only_centers = 0;
+  for (int x = -2; x <= 2; ++x) {
+    for (int y = -2; y <= 2; ++y) {
+      for (int z = -2; z <= 2; ++z) {
+        const RationalVector3 n(x, y, z);
+        ProofText other = good;
+        for (int k = 0; k < 3; ++k) other.lines[line][3 + std::size_t(k)] = to_string(n[k]);
+        const bool is_right = separates(n, cubes[cell], parts.parts[part].hull);
+        CAPTURE(other.text());
+        CHECK((verdict_on(other).exit_code == 0) == is_right);
+        accepted += is_right ? 1 : 0;
+        only_centers +=
+            !is_right && separates(n, {cubes[cell].center, 0}, parts.parts[part].hull) ? 1 : 0;
+      }
+    }
+  }
+  CHECK(accepted > 0);
+  CHECK(only_centers > 0);
+}
+
 TEST_CASE("reach proof: a cell outside is not inside, whatever touches it") {
   // The surface winds 0 times about the slot: its cells are at most open.
   const ProofText good = slot_proof();

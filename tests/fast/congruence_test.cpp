@@ -153,6 +153,31 @@ TEST_CASE("simplify_filtered: mirror images tie without a rational") {
   }
 }
 
+TEST_CASE("simplify_filtered: symmetric, in axes whose numbers have no common range of doubles") {
+  // Permutations of 0, +-1, +-2, each axis stretched by itself: the weight of an axis may be zero.
+  std::vector<Point> points;
+  std::array<double, 3> order{0, 1, 2};
+  do {
+    for (const double s : {1.0, -1.0}) {
+      for (const double t : {1.0, -1.0}) {
+        Point p;
+        for (int k = 0; k < 3; ++k) p[k] = order[k] == 1 ? s : order[k] == 2 ? 2 * t : 0;
+        points.push_back(p.cwiseProduct(Point(0x1p565, 1, 0x1p-565)));
+      }
+    }
+  } while (std::next_permutation(order.begin(), order.end()));
+  const PointSet set(points);
+  const HullOutcome hull = convex_hull(set);
+  const FastDual dual = FastDual::of(std::get<Hull>(hull), set);
+  for (HalfspaceId i(0); i.value < 14; i = HalfspaceId(i.value + 1)) {
+    for (const double size : dual.normal_sizes(i)) CHECK((size >= 0 && size <= 1));
+  }
+  // Eight hexagons that cost the same; stretching changes no order of volumes.
+  const FastResult result = simplify_filtered(dual, {.faces = 8});
+  REQUIRE(result.steps.size() == 6);
+  for (std::size_t step = 0; step < 6; ++step) CHECK(result.steps[step].tied == 6 - step);
+}
+
 TEST_CASE("simplify_filtered: facets coplanar but for rounding, and alike, need few exact costs") {
   const PointSet set(shapes::rounded_box({3, 2, 1}, 0.5, 6));
   const HullOutcome hull = convex_hull(set);

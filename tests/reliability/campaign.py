@@ -44,7 +44,7 @@ TESTS = {
     'conform': ['oracle', 'oracle_programs', 'cli'], 'parts': ['decompose_scene', 'wire'], 'proof': ['check', 'check_mutated'],
     'solid': ['simplify', 'scene'], 'wire': ['wire', 'oracle', 'cli', 'cli of decompositions'],
     'measure': ['measure', 'simplify'], 'number': ['number', 'geometry', 'measure', 'fast'], 'pages': ['report', 'teach', 'cli of decompositions'],
-    'near': ['hull', 'stored_planes', 'stored_mesh', 'containment', 'growth', 'fast'],
+    'near': ['hull', 'stored_planes', 'stored_mesh', 'containment', 'growth', 'reach', 'overlay', 'cut', 'query', 'decompose'],
     'query': ['query', 'hull_trees', 'cli'], 'shapes': ['shapes', 'hull', 'cli'],
     'capi': ['capi'], 'search': ['search', 'search_property', 'hull_trees'],
 }
