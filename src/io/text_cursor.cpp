@@ -9,20 +9,21 @@
 namespace convexact {
 namespace {
 
-enum class Kind : unsigned char { Other, Blank, LineEnd, Backslash };
+enum class ByteKind : unsigned char { Other, Blank, LineEnd, Backslash };
 
 // By table, since every byte of a file is asked.
-constexpr std::array<Kind, 256> kKinds = [] {
-  std::array<Kind, 256> kinds{};
-  for (const char c : {' ', '\t', '\v', '\f'}) kinds[static_cast<unsigned char>(c)] = Kind::Blank;
-  for (const char c : {'\n', '\r'}) kinds[static_cast<unsigned char>(c)] = Kind::LineEnd;
-  kinds['\\'] = Kind::Backslash;
+constexpr std::array<ByteKind, 256> kByteKinds = [] {
+  std::array<ByteKind, 256> kinds{};
+  for (const char c : {' ', '\t', '\v', '\f'})
+    kinds[static_cast<unsigned char>(c)] = ByteKind::Blank;
+  for (const char c : {'\n', '\r'}) kinds[static_cast<unsigned char>(c)] = ByteKind::LineEnd;
+  kinds['\\'] = ByteKind::Backslash;
   return kinds;
 }();
 
-Kind kind_of(char c) { return kKinds[static_cast<unsigned char>(c)]; }
-bool is_blank(char c) { return kind_of(c) == Kind::Blank; }
-bool is_line_end(char c) { return kind_of(c) == Kind::LineEnd; }
+ByteKind byte_kind(char c) { return kByteKinds[static_cast<unsigned char>(c)]; }
+bool is_blank(char c) { return byte_kind(c) == ByteKind::Blank; }
+bool is_line_end(char c) { return byte_kind(c) == ByteKind::LineEnd; }
 
 }  // namespace
 
@@ -45,10 +46,10 @@ void TextCursor::step_over_line_end() {
 
 void TextCursor::skip_blanks() {
   while (position_ < end_) {
-    const Kind kind = kind_of(*position_);
-    if (kind == Kind::Blank) {
+    const ByteKind kind = byte_kind(*position_);
+    if (kind == ByteKind::Blank) {
       ++position_;
-    } else if (kind == Kind::Backslash && is_continuation()) {
+    } else if (kind == ByteKind::Backslash && is_continuation()) {
       ++position_;
       if (position_ < end_) step_over_line_end();
     } else {
@@ -85,9 +86,9 @@ std::string_view TextCursor::token() {
   if (at_line_end()) return {};
   const char* first = position_;
   for (; position_ < end_; ++position_) {
-    const Kind kind = kind_of(*position_);
-    if (kind == Kind::Other) continue;
-    if (kind != Kind::Backslash || is_continuation()) break;
+    const ByteKind kind = byte_kind(*position_);
+    if (kind == ByteKind::Other) continue;
+    if (kind != ByteKind::Backslash || is_continuation()) break;
   }
   return {first, static_cast<std::size_t>(position_ - first)};
 }

@@ -13,7 +13,7 @@
 namespace convexact {
 namespace {
 
-constexpr std::array<std::string_view, 4> kKinds = {"id:", "plane:", "normal:", "group:"};
+constexpr std::array<std::string_view, 4> kSelectorKinds = {"id:", "plane:", "normal:", "group:"};
 
 // `named` is the option and its text.
 [[noreturn]] void refuse(const std::string& named, const std::string& why) {
@@ -27,7 +27,7 @@ struct KeepText {
 };
 
 std::optional<KeepText> parse(std::string_view selector) {
-  for (const std::string_view kind : kKinds) {
+  for (const std::string_view kind : kSelectorKinds) {
     if (selector.starts_with(kind))
       return KeepText{kind, std::string(selector.substr(kind.size()))};
   }
