@@ -2,6 +2,7 @@
 // convexact-check PROOF MESH: a proof about one mesh does not pass for another, however its numbers
 // are spelt; what the library reads, the checker reads alike.
 #include <cstring>
+#include <sstream>
 
 #include "checker.hpp"
 #include "process.hpp"
@@ -53,6 +54,21 @@ TEST_CASE("same points: decimals mean the nearest double, beyond 17 digits and a
   CHECK(verdict_on("a.obj", with("+.5e+0001"), 5.0) == 0);
   CHECK(verdict_on("a.obj", with("5."), 5.0) == 0);
   CHECK(verdict_on("a.obj", with("-0"), 0.0) == 0);
+}
+
+TEST_CASE("same points: a decimal of a halfspace is the nearest double, or the number it spells") {
+  const std::string rows = "2 0 0 -0.1\n";
+  const std::string near = to_string(to_rational(0.1) / 2);  // over the first entry
+  for (const bool as_spelt : {false, true}) {
+    const auto read = rows_by_checker(rows, "a.txt", as_spelt);
+    REQUIRE(read.has_value());
+    REQUIRE(read->size() == 1);
+    std::istringstream words(read->front());
+    std::vector<Rational> row;
+    for (std::string word; words >> word;) row.push_back(parse_rational(word));
+    REQUIRE(row.size() == 4);
+    CHECK(to_string(Rational(-row[3] / row[0])) == (as_spelt ? "1/20" : near));
+  }
 }
 
 TEST_CASE("same points: what looks hexadecimal, infinite or like nothing is refused (#13)") {
@@ -110,6 +126,8 @@ TEST_CASE("same points: OFF, PLY, STL and XYZ, as text and as bytes (#13)") {
   CHECK(verdict_on("a.ply", binary, 9.5) == 1);
   CHECK(verdict_on("a.ply", binary + "x", 9.0) == 3);
   CHECK(verdict_on("a.ply", binary.substr(0, binary.size() - 1), 9.0) == 3);
+  const std::string told = "ply\nformat ascii 1.0\ncomment of\nobj_info or of\n" + vertex;
+  CHECK(verdict_on("a.ply", told + "property float z\nend_header\n" + rows, 9.0) == 0);
   // Signed integers down to their lowest.
   for (const int x : {-128, -127, 127}) {
     const std::string bytes =

@@ -5,7 +5,6 @@
 #include <array>
 #include <iterator>
 #include <numeric>
-#include <ranges>
 #include <set>
 #include <tuple>
 #include <utility>
@@ -14,6 +13,7 @@
 #include "convexact/geometry.hpp"
 #include "number/arithmetic.hpp"
 #include "oracle/solid/excess.hpp"
+#include "oracle/solid/facet_planes.hpp"
 
 namespace convexact {
 namespace {
@@ -405,64 +405,6 @@ const Rational& MeshSurface::enclosed() const {
     return balanced_sum(std::move(terms));
   });
 }
-
-namespace {
-
-// Finds out whether a face lies in a facet plane of the hull and looks outward.
-class FacetPlanes {
- public:
-  FacetPlanes(const Hull& hull, std::span<const Halfspace> planes)
-      : facets_(hull.facets), planes_(planes) {
-    for (std::uint32_t f = 0; f < facets_.size(); ++f) {
-      const std::span<const PointId> corners = facets_[f];
-      for (std::size_t k = 0; k < corners.size(); ++k) {
-        sides_.push_back({key(corners[k], corners[(k + 1) % corners.size()]), f});
-      }
-    }
-    std::sort(sides_.begin(), sides_.end());
-  }
-
-  // @param plane  Of the face, which is not bent. @param corners  Of the face.
-  bool have(const Halfspace& plane) {
-    if (sorted_.empty()) {
-      sorted_.assign(planes_.begin(), planes_.end());
-      std::sort(sorted_.begin(), sorted_.end());
-    }
-    return std::binary_search(sorted_.begin(), sorted_.end(), plane);
-  }
-
-  // Without the plane of the face, which costs more than all else: true if the corners are those
-  // of one facet, false if that has to be asked with the plane.
-  // @param area_vector  Of the face; not zero.
-  bool surely_have(std::span<const std::uint32_t> corners,
-                   const RationalVector3& area_vector) const {
-    constexpr std::size_t kMostPairs = 64;  // of corners to be compared
-    for (const auto& [from, to] : {std::pair{0, 1}, std::pair{1, 0}}) {
-      const Side wanted{key(PointId(corners[from]), PointId(corners[to])), 0};
-      const auto side = std::lower_bound(sides_.begin(), sides_.end(), wanted);
-      if (side == sides_.end() || side->first != wanted.first) continue;
-      const std::span<const PointId> facet = facets_[side->second];
-      if (facet.size() * corners.size() > kMostPairs) continue;
-      const bool has_all = std::ranges::all_of(corners, [&](std::uint32_t c) {
-        return std::ranges::find(facet, PointId(c)) != facet.end();
-      });
-      if (has_all) return planes_[side->second].normal().cast<Rational>().dot(area_vector) > 0;
-    }
-    return false;
-  }
-
- private:
-  using Side = std::pair<std::uint64_t, std::uint32_t>;  // its ends, and the facet to its left
-  static std::uint64_t key(PointId from, PointId to) {
-    return std::uint64_t{from.index()} << 32 | to.index();
-  }
-  const FacetList& facets_;
-  std::span<const Halfspace> planes_;
-  std::vector<Side> sides_;
-  std::vector<Halfspace> sorted_;
-};
-
-}  // namespace
 
 MeshSurface::OffHull MeshSurface::faces_off(const Hull& hull,
                                             std::span<const Halfspace> planes) const {
