@@ -114,30 +114,14 @@ bool NearTriangles::misses(std::span<const Point> hull) const {
   for (const Point& y : hull) box.include(y);
   box.low.array() -= kMargin;
   box.high.array() += kMargin;
-  std::vector<std::uint32_t> stack{0};
   std::vector<Point> differences(3 * hull.size());
-  while (!stack.empty()) {
-    const Node& node = nodes_[stack.back()];
-    stack.pop_back();
-    if (!box.meets(node.box)) continue;
-    if (node.left != 0) {
-      stack.push_back(node.left);
-      stack.push_back(node.left + 1);
-      continue;
+  return all_meeting(box, [&](const std::array<Point, 3>& triangle) {
+    std::size_t next = 0;
+    for (const Point& y : triangle) {
+      for (const Point& x : hull) differences[next++] = x - y;
     }
-    for (std::uint32_t k = node.first; k < node.first + node.count; ++k) {
-      const std::array<Point, 3> triangle = corners(order_[k]);
-      NearBox around;
-      for (const Point& y : triangle) around.include(y);
-      if (!box.meets(around)) continue;
-      std::size_t next = 0;
-      for (const Point& y : triangle) {
-        for (const Point& x : hull) differences[next++] = x - y;
-      }
-      if (near_hull(differences, Point::Zero()).bounds.low <= kMargin) return false;
-    }
-  }
-  return true;
+    return near_hull(differences, Point::Zero()).bounds.low > kMargin;
+  });
 }
 
 }  // namespace convexact

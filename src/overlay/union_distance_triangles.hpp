@@ -35,6 +35,17 @@ class NearTriangles {
   /// points.
   bool misses(std::span<const Point> corners) const;
 
+  /// The corners of a triangle in the frame.
+  std::array<Point, 3> corners(std::uint32_t triangle) const {
+    const auto& [a, b, c] = triangles_[triangle];
+    return {points_[a], points_[b], points_[c]};
+  }
+
+  /// Whether `holds` is true of the corners of all triangles whose boxes meet a box; it is asked
+  /// until it is false once.
+  template <class Holds>
+  bool all_meeting(const NearBox& box, const Holds& holds) const;
+
  private:
   // A node of the tree: triangles order_[first, first + count), or two nodes, `left` and the next.
   struct Node {
@@ -42,10 +53,6 @@ class NearTriangles {
     std::uint32_t first = 0, count = 0, left = 0;
   };
 
-  std::array<Point, 3> corners(std::uint32_t triangle) const {
-    const auto& [a, b, c] = triangles_[triangle];
-    return {points_[a], points_[b], points_[c]};
-  }
   void divide(std::uint32_t node, std::vector<Point>& middles);
 
   std::vector<Point> points_;
@@ -53,5 +60,27 @@ class NearTriangles {
   std::vector<std::uint32_t> order_;
   std::vector<Node> nodes_;
 };
+
+template <class Holds>
+bool NearTriangles::all_meeting(const NearBox& box, const Holds& holds) const {
+  std::vector<std::uint32_t> stack{0};
+  while (!stack.empty()) {
+    const Node& node = nodes_[stack.back()];
+    stack.pop_back();
+    if (!box.meets(node.box)) continue;
+    if (node.left != 0) {
+      stack.push_back(node.left);
+      stack.push_back(node.left + 1);
+      continue;
+    }
+    for (std::uint32_t k = node.first; k < node.first + node.count; ++k) {
+      const std::array<Point, 3> triangle = corners(order_[k]);
+      NearBox around;
+      for (const Point& y : triangle) around.include(y);
+      if (box.meets(around) && !holds(triangle)) return false;
+    }
+  }
+  return true;
+}
 
 }  // namespace convexact

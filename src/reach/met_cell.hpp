@@ -59,6 +59,29 @@ class NearPart {
     });
   }
 
+  /// How far a point is beyond a plane, up to kReachError.
+  double beyond(std::uint32_t plane, const Point& y) const {
+    return planes_[plane].normal.dot(y) + planes_[plane].offset;
+  }
+  /// A point inside of the part, unless that is flat.
+  Point middle() const {
+    Point sum = Point::Zero();
+    for (const Point& v : vertices_) sum += v;
+    return sum / static_cast<double>(vertices_.size());
+  }
+  /// With all points x moved to x + share (to - x).
+  NearPart towards(const Point& to, double share) const {
+    NearPart moved = *this;
+    for (Point& v : moved.vertices_) v += share * (to - v);
+    for (auto& [normal, offset] : moved.planes_) offset -= share * (normal.dot(to) + offset);
+    return moved;
+  }
+  NearBox box() const {
+    NearBox box;
+    for (const Point& v : vertices_) box.include(v);
+    return box;
+  }
+
   /// How a plane of the part runs by a cell.
   enum class Side {
     Beyond,   ///< All of the cell is beyond the plane.

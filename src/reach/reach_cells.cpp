@@ -18,6 +18,7 @@ ReachCells::ReachCells(const Surface& surface, const Winding* winding, const Nea
       triangles_(surface, frame),
       limit_down_(frame.root_down(squared_limit)),
       limit_up_(frame.root_up(squared_limit)),
+      limit_near_(limit_down_ * (1 - kReachSlack)),
       most_(kReachCells) {
   // Finer than rounding nothing can be told.
   while (least_half_ > std::max(limit_down_ / kFinest, 0x1p-30)) least_half_ /= 2;
@@ -33,7 +34,7 @@ ReachCells::Label ReachCells::label(const CellPlace& place) {
   cell.triangle = nearest.triangle;
   cell.label = Label::Open;
   const double radius = place.radius() * (1 + 0x1p-50);
-  if (cell.high + radius <= limit_down_ || is_near_one_triangle(place)) {
+  if (cell.high + radius <= limit_near_ || is_near_one_triangle(place)) {
     cell.label = Label::Near;
   } else if (winding_ != nullptr && cell.low > radius && side(place) == Side::Inside) {
     cell.label = Label::Inside;
@@ -44,9 +45,9 @@ ReachCells::Label ReachCells::label(const CellPlace& place) {
 bool ReachCells::is_near_one_triangle(const CellPlace& place) const {
   const Cell& cell = cells_[place.cell];
   // The center is among the points between the corners.
-  if (cell.high > limit_down_) return false;
+  if (cell.high > limit_near_) return false;
   for (int k = 0; k < 8; ++k) {
-    if (triangles_.to_triangle(cell.triangle, place.corner(k)).high > limit_down_) return false;
+    if (triangles_.to_triangle(cell.triangle, place.corner(k)).high > limit_near_) return false;
   }
   return true;
 }

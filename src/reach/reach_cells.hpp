@@ -18,6 +18,8 @@ namespace convexact {
 /// The error that rounding adds to comparisons of cells and parts in a frame, whose coordinates are
 /// at most 2: several times kDistanceError there.
 inline constexpr double kReachError = 0x1p-43;
+/// The share of T by which cells are nearer than T if they are said to be near.
+inline constexpr double kReachSlack = 0x1p-12;
 
 /// A cell as a place: the cube around a center. Centers and half widths are dyadic, and exact.
 struct CellPlace {
@@ -67,6 +69,9 @@ class ReachCells {
   std::array<CellPlace, 8> children(const CellPlace& place);
   bool has_children(std::uint32_t cell) const { return cells_[cell].first_child != 0; }
 
+  /// Whether the surface is closed, so that it may wind about a point.
+  bool has_inside() const { return winding_ != nullptr; }
+
   const NearTriangles& triangles() const { return triangles_; }
   const NearFrame& frame() const { return frame_; }
   const Surface& surface() const { return surface_; }
@@ -88,7 +93,7 @@ class ReachCells {
   const Winding* winding_;
   NearFrame frame_;
   NearTriangles triangles_;
-  double limit_down_, limit_up_, least_half_ = 2;
+  double limit_down_, limit_up_, limit_near_, least_half_ = 2;
   std::size_t most_;
   std::vector<Cell> cells_{1};
 };

@@ -5,9 +5,11 @@
 
 #include "convexact/hull.hpp"
 #include "convexact/reach.hpp"
+#include "reach/clear_cell.hpp"
 #include "reach/clipped_part.hpp"
 #include "reach/met_cell.hpp"
 #include "reach/reach_search.hpp"
+#include "reach/walk_cells.hpp"
 #include "surface/flat_polygon.hpp"
 
 namespace convexact {
@@ -30,10 +32,7 @@ class CellWalk {
 
   // Whether all cells that the part meets are fine.
   bool is_within() {
-    MetCell root{cells_.root(), {}};
-    for (std::uint32_t k = 0; k < near_.planes(); ++k) root.planes.push_back(k);
-    if (cells_.label(root.place) != ReachCells::Label::Open) return true;
-    visit(root);
+    walk_cells(cells_, near_, [&](const MetCell& met) { return visit(met); });
     return !is_beyond_ && !is_open_;
   }
 
@@ -54,50 +53,41 @@ class CellWalk {
   CellPlace found_at_{};
 
  private:
-  // The cell is not fine.
-  void visit(const MetCell& met) {
+  // The cell is not fine. A part that is refuted ends the search, and one that is open if nothing
+  // else can decide.
+  Below visit(const MetCell& met) {
     watch_.ask();
     const CellPlace& place = met.place;
+    Point y = place.center;
     if (near_.holds(met.planes, place.center)) {
       refute(place, place.center, cells_.distance(place.cell));
     } else {
       const NearHull hull = near_hull(near_.vertices(), place.center, place.radius() + kReachError);
-      if (widened(hull.bounds, place.center).low > place.radius()) return;
-      const Point y = place.center + hull.nearest;
+      if (widened(hull.bounds, place.center).low > place.radius()) return Below::Skip;
+      y = place.center + hull.nearest;
       if (cells_.distance(place.cell).high + hull.bounds.high > cells_.limit_up()) {
         refute(place, y, cells_.triangles().nearest(y, cells_.triangle(place.cell)).distance);
       }
     }
+    if (is_beyond_) return Below::Stop;
+    if (pays(place) && is_clear_inside(cells_, near_, met, y)) return Below::Skip;
     const bool is_least = place.half <= cells_.least_half() || is_full(place);
-    if (is_beyond_ || decides(met, is_least)) return;
-    if (!is_least) return visit_children(met);
+    if (decides(met, is_least)) return is_beyond_ ? Below::Stop : Below::Skip;
+    if (!is_least) return Below::Visit;
     is_open_ = true;
     if (open_.distance < cells_.distance(place.cell).high) {
       open_ = {nearest_point(place), cells_.distance(place.cell).high};
     }
     open_high_ = std::max(open_high_, cells_.distance(place.cell).high + place.radius());
+    return may_decide() ? Below::Skip : Below::Stop;
   }
 
   bool is_full(const CellPlace& place) const {
     return cells_.is_full() && !cells_.has_children(place.cell);
   }
 
-  // A part that is refuted ends the search, and one that is open if nothing else can decide.
-  void visit_children(const MetCell& met) {
-    std::vector<std::pair<double, MetCell>> open;
-    MetCell half;
-    for (const CellPlace& at : cells_.children(met.place)) {
-      if (!met.may_meet(near_, at, half)) continue;
-      if (cells_.label(at) != ReachCells::Label::Open) continue;
-      open.emplace_back(cells_.distance(at.cell).low, half);
-    }
-    std::stable_sort(open.begin(), open.end(),
-                     [](const auto& a, const auto& b) { return a.first > b.first; });
-    for (const auto& [distance, next] : open) {
-      if (is_beyond_ || (is_open_ && !may_decide())) return;
-      visit(next);
-    }
-  }
+  // Of smaller cells, labels say so as quickly.
+  bool pays(const CellPlace& place) const { return place.half >= cells_.limit_up(); }
 
   // A point y of the part, up to rounding, that is about in the cell. Rounding moved it by less
   // than kReachError, so it did not take it through the surface.
@@ -131,6 +121,14 @@ class PartWalk : public CellWalk {
            const Rational& squared_limit, const Watch& watch)
       : CellWalk(cells, near, watch), part_(part), squared_limit_(squared_limit) {}
 
+  // By cells alone, whose first open one ends the search; `near` may be smaller than the part.
+  std::optional<PartReach> answer_of_cells() {
+    clips_ = false;
+    if (is_within()) return PartReach{};
+    if (is_beyond_) return PartReach{Reach::Beyond, std::move(farthest_), {}};
+    return {};
+  }
+
   PartReach answer() {
     if (is_within()) return {};
     if (is_beyond_) return {Reach::Beyond, std::move(farthest_), {}};
@@ -143,12 +141,13 @@ class PartWalk : public CellWalk {
   }
 
  private:
-  bool may_decide() const override { return true; }
+  bool may_decide() const override { return clips_; }
   bool confirms(const CellPlace& place) override {
     return consider(point_of_part(place), farthest_);
   }
 
   bool decides(const MetCell& met, bool is_least) override {
+    if (!clips_) return false;
     const double share = met.place.half / cells_.limit_up();
     if (!is_least && (share <= kClipFrom || share > kClipTo)) return false;
     return met.planes.size() <= kClipPlanes && clip(met.place, is_least);
@@ -246,6 +245,7 @@ class PartWalk : public CellWalk {
 
   const ConvexPart& part_;
   const Rational& squared_limit_;
+  bool clips_ = true;
   std::optional<FarthestPoint> farthest_;  // if beyond
 };
 
@@ -256,41 +256,35 @@ class FarthestWalk {
       : cells_(cells), near_(part), watch_(watch) {}
 
   std::optional<FarPlace> find() {
-    MetCell root{cells_.root(), {}};
-    for (std::uint32_t k = 0; k < near_.planes(); ++k) root.planes.push_back(k);
-    if (cells_.label(root.place) == ReachCells::Label::Open) visit(root);
+    walk_cells(cells_, near_, [&](const MetCell& met) { return visit(met); });
     return best_;
   }
 
  private:
   // The cell is not fine.
-  void visit(const MetCell& met) {
+  Below visit(const MetCell& met) {
     constexpr double kSlack = 1.03, kFine = 1.0 / 8;
     watch_.ask();
     const CellPlace& place = met.place;
     const NearBounds distance = cells_.distance(place.cell);
     const double best = best_ ? best_->distance * kSlack : cells_.limit_up();
-    if (distance.high + place.radius() <= best) return;
+    if (distance.high + place.radius() <= best) return Below::Skip;
+    Point y = place.center;
     if (near_.holds(met.planes, place.center)) {
       if (distance.low > best && cells_.is_outside(place)) {
         best_ = FarPlace{place.center, distance.low};
       }
     } else {
       const NearHull hull = near_hull(near_.vertices(), place.center, place.radius() + kReachError);
-      if (widened(hull.bounds, place.center).low > place.radius()) return;
+      if (widened(hull.bounds, place.center).low > place.radius()) return Below::Skip;
+      y = place.center + hull.nearest;
     }
-    if (place.half <= cells_.limit_up() * kFine) return;
-    if (cells_.is_full() && !cells_.has_children(place.cell)) return;
-    std::vector<std::pair<double, MetCell>> open;
-    MetCell half;
-    for (const CellPlace& at : cells_.children(place)) {
-      if (!met.may_meet(near_, at, half)) continue;
-      if (cells_.label(at) != ReachCells::Label::Open) continue;
-      open.emplace_back(cells_.distance(at.cell).low, half);
+    if (place.half >= cells_.limit_up() && is_clear_inside(cells_, near_, met, y)) {
+      return Below::Skip;
     }
-    std::stable_sort(open.begin(), open.end(),
-                     [](const auto& a, const auto& b) { return a.first > b.first; });
-    for (const auto& [far, next] : open) visit(next);
+    if (place.half <= cells_.limit_up() * kFine) return Below::Skip;
+    const bool is_full = cells_.is_full() && !cells_.has_children(place.cell);
+    return is_full ? Below::Skip : Below::Visit;
   }
 
   ReachCells& cells_;
@@ -307,6 +301,13 @@ NearPart in_frame(const ReachCells& cells, NearPart part) {
     }
   }
   return part;
+}
+
+// The same for a walk by cells alone.
+NearPart inner_in_frame(const ReachCells& cells, NearPart part) {
+  NearPart whole = in_frame(cells, std::move(part));
+  std::optional<NearPart> inner = inner_part(cells, whole);
+  return inner ? std::move(*inner) : std::move(whole);
 }
 
 NearFrame frame_for(const Surface& surface, std::span<const BoundingBox> boxes) {
@@ -334,15 +335,20 @@ ReachLimit& ReachLimit::operator=(ReachLimit&&) noexcept = default;
 PartReach ReachLimit::operator()(const ConvexPart& part, const Watch& watch) {
   ReachCells& cells = search_->cells;
   cells.make_room();
+  const Rational& squared = search_->squared_limit;
   const NearPart near = in_frame(cells, NearPart(part, cells.frame()));
-  return PartWalk(cells, near, part, search_->squared_limit, watch).answer();
+  if (const std::optional<NearPart> inner = inner_part(cells, near)) {
+    if (auto answer = PartWalk(cells, *inner, part, squared, watch).answer_of_cells()) {
+      return std::move(*answer);
+    }
+  }
+  return PartWalk(cells, near, part, squared, watch).answer();
 }
 
 bool ReachLimit::allows(const ConvexPart& part, const Watch& watch) {
   ReachCells& cells = search_->cells;
   cells.make_room();
-  const NearPart near = in_frame(cells, NearPart(part, cells.frame()));
-  return CellWalk(cells, near, watch).is_within();
+  return CellWalk(cells, inner_in_frame(cells, NearPart(part, cells.frame())), watch).is_within();
 }
 
 // A set of points that are all within T of one triangle has a hull that is, too. That settles most
@@ -377,7 +383,7 @@ bool ReachLimit::allows_hull(std::span<const PointId> points, const Watch& watch
 bool ReachLimit::allows_near(std::span<const Point> points, const Watch& watch) {
   ReachCells& cells = search_->cells;
   cells.make_room();
-  return CellWalk(cells, in_frame(cells, NearPart(near_solid(points))), watch).is_within();
+  return CellWalk(cells, inner_in_frame(cells, NearPart(near_solid(points))), watch).is_within();
 }
 
 // Where the part is so thin that it holds no center, the place is near it, in a cell that is not
@@ -385,7 +391,7 @@ bool ReachLimit::allows_near(std::span<const Point> points, const Watch& watch) 
 std::optional<FarPlace> ReachLimit::farthest(std::span<const Point> points, const Watch& watch) {
   ReachCells& cells = search_->cells;
   cells.make_room();
-  const NearPart near = in_frame(cells, NearPart(near_solid(points)));
+  const NearPart near = inner_in_frame(cells, NearPart(near_solid(points)));
   CellWalk walk(cells, near, watch);
   if (walk.is_within()) return {};
   if (auto found = FarthestWalk(cells, near, watch).find()) return found;

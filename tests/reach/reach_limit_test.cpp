@@ -11,6 +11,7 @@
 #include "expect_error.hpp"
 #include "near/frame.hpp"
 #include "number/random.hpp"
+#include "reach/clear_cell.hpp"
 #include "reach/clipped_part.hpp"
 #include "reach/reach_cells.hpp"
 #include "sweep.hpp"
@@ -280,6 +281,126 @@ TEST_CASE("reach: in worlds of cells, answers are those of the definition" * swe
   CHECK(within > 60);
   CHECK(beyond > 60);
   CHECK(undecided < 12);
+}
+
+TEST_CASE("reach: a box of cells is within a small distance iff the surface winds about each" *
+          sweep) {
+  constexpr int kSize = 4;
+  Random random(45);
+  const auto below = [&](std::uint64_t n) { return static_cast<int>(uniform_below(random, n)); };
+  std::size_t within = 0, beyond = 0;
+  for (int world = 0; world < 100; ++world) {
+    std::set<Cell> cells;
+    for (int k = 0; k < 48; ++k) cells.insert({below(kSize), below(kSize), below(kSize)});
+    const World at(support::mesh_of_cells(cells));
+    // (A cavity may be filled: shells that touch along an edge are not told apart.)
+    const auto winds_about = [&](const Cell& cell) {
+      const Rational half(1, 2);
+      return *(*at.winding)(RationalPoint(cell[0] + half, cell[1] + half, cell[2] + half)) != 0;
+    };
+    ReachLimit limit = at.limit(squared_of(0x1p-12), {});
+    for (int k = 0; k < 4; ++k) {
+      std::array<int, 3> low{}, high{};
+      bool is_there = true;
+      for (std::size_t axis = 0; axis < 3; ++axis) {
+        low[axis] = below(kSize);
+        high[axis] = std::min(low[axis] + 1 + below(2), kSize);
+      }
+      for (int x = low[0]; x < high[0]; ++x) {
+        for (int y = low[1]; y < high[1]; ++y) {
+          for (int z = low[2]; z < high[2]; ++z) {
+            is_there = is_there && winds_about({x, y, z});
+          }
+        }
+      }
+      const ConvexPart part = part_of(Box{{double(low[0]), double(low[1]), double(low[2])},
+                                          {double(high[0]), double(high[1]), double(high[2])}});
+      CAPTURE(world);
+      CHECK(limit.allows(part) == is_there);
+      CHECK(limit(part).reach == (is_there ? Reach::Within : Reach::Beyond));
+      ++(is_there ? within : beyond);
+    }
+  }
+  CHECK(within > 50);
+  CHECK(beyond > 50);
+}
+
+TEST_CASE("reach: along a facet that lies in a face, cells need not be small") {
+  const World world(support::mesh_of_cells({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}));
+  ReachLimit limit = world.limit(squared_of(1e-5), {});
+  CHECK(limit.allows(part_of(Box{{0, 0, 0}, {2, 1, 1}})));
+  CHECK(limit.allows(part_of(Box{{0, 0, 0}, {1, 2, 1}})));
+  // Cut at 45 degrees through the notch.
+  CHECK(limit.allows(part_of(
+      {{0, 0, 0}, {2, 0, 0}, {2, 1, 0}, {1, 1, 0}, {0, 0, 1}, {2, 0, 1}, {2, 1, 1}, {1, 1, 1}})));
+  CHECK(limit.cells() < 100);
+  CHECK(limit(part_of(Box{{0, 0, 0}, {1, 1, 1 + 0x1p-15}})).reach == Reach::Beyond);
+  CHECK(limit(part_of(Box{{0, 0, 0}, {1 + 0x1p-15, 2, 1}})).reach == Reach::Beyond);
+}
+
+TEST_CASE("reach: the farthest point of a hull whose facet runs through centers of cells") {
+  const World world(support::mesh_of_cells({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}));
+  ReachLimit limit = world.limit(squared_of(1e-5), {});
+  std::vector<Point> corners;
+  for (std::size_t k = 0; k < world.surface.points.size(); ++k) {
+    corners.push_back(limit.frame()(world.surface.points[PointId(k)]));
+  }
+  // In the middle of the slanted facet, 1/2 from both walls of the notch.
+  const auto far = limit.farthest(corners);
+  REQUIRE(far);
+  const double unit = limit.frame().root_up(1);
+  CHECK(far->distance <= unit / 2 * (1 + 1e-9));
+  CHECK(far->distance > unit / 2 / 1.04);
+  CHECK(limit.cells() < 100000);
+}
+
+TEST_CASE("reach: what a part has in a clear cell is near, in exact numbers" * sweep) {
+  constexpr int kSize = 3;
+  Random random(48);
+  const auto below = [&](std::uint64_t n) { return static_cast<int>(uniform_below(random, n)); };
+  const Rational squared = squared_of(0x1p-10);
+  std::size_t clear = 0, others = 0;
+  for (int world = 0; world < 150; ++world) {
+    std::set<Cell> cells;
+    for (int k = 0; k < 20; ++k) cells.insert({below(kSize), below(kSize), below(kSize)});
+    const World at(support::mesh_of_cells(cells));
+    std::vector<Point> points;
+    for (int k = 0; k < 6; ++k) {
+      points.emplace_back(below(2 * kSize + 1) / 2.0, below(2 * kSize + 1) / 2.0,
+                          below(2 * kSize + 1) / 2.0);
+    }
+    const ConvexPart part = part_of(points);
+    if (!part.solid) continue;
+    const BoundingBox boxes[] = {bounding_box(at.surface.points), part.box};
+    ReachCells octree(at.surface, &*at.winding, frame_around(boxes), squared);
+    const std::optional<NearPart> inner = inner_part(octree, NearPart(part, octree.frame()));
+    REQUIRE(inner);
+    const NearPart& near = *inner;
+    std::vector<MetCell> open{{octree.root(), {}}};
+    for (std::uint32_t k = 0; k < near.planes(); ++k) open.front().planes.push_back(k);
+    (void)octree.label(open.front().place);
+    for (std::size_t k = 0; k < open.size() && k < 300; ++k) {
+      const MetCell met = open[k];
+      const NearHull hull = near_hull(near.vertices(), met.place.center);
+      if (is_clear_inside(octree, near, met, met.place.center + hull.nearest)) {
+        ++clear;
+        // A convex piece that no triangle runs through is near if its corners are.
+        for (const RationalPoint& x : common_corners(part, met.place, octree.frame())) {
+          CHECK(squared_distance(x, cells) <= squared);
+        }
+        continue;
+      }
+      ++others;
+      MetCell half;
+      for (const CellPlace& place : octree.children(met.place)) {
+        if (!met.may_meet(near, place, half)) continue;
+        if (octree.label(place) == ReachCells::Label::Open) open.push_back(half);
+      }
+    }
+  }
+  MESSAGE("clear ", clear, ", others ", others);
+  CHECK(clear > 200);
+  CHECK(others > 200);
 }
 
 TEST_CASE("reach: what it refuses") {
