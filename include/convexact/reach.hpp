@@ -114,7 +114,9 @@ class ReachLimit {
                                                  const Watch& watch = {});
 
   /// A proof that parts that are all within T by cells alone are so.
-  /// @throws Error Internal if one of them is not; Stopped when the watch ends the call.
+  /// @throws Error Unrepresentable if one of them is not, or if that takes more than kReachCells
+  ///               cells: along facets that lie in faces, those of a proof are as small as T.
+  ///               Stopped when the watch ends the call.
   [[nodiscard]] ReachCertificate certificate(std::span<const ConvexPart* const> parts,
                                              const Watch& watch = {});
 

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
 // reach_certificate.cpp - the cells that hold some parts, as a proof that somebody else can check.
+#include <fmt/format.h>
+
 #include <map>
 
 #include "convexact/reach.hpp"
@@ -70,7 +72,11 @@ class CertificateWriter {
     if (inner.empty()) return;
     if (place.half <= cells_.least_half() ||
         (cells_.is_full() && !cells_.has_children(place.cell))) {
-      throw Error(ErrorCode::Internal, "a part that is not proven to be near the solid");
+      throw Error(
+          ErrorCode::Unrepresentable,
+          fmt::format("to prove how far parts reach takes more, or smaller, cells than the {} "
+                      "that a proof may have: choose a larger distance, or no proof",
+                      kReachCells));
     }
     made_.cells[number].kind = Kind::Split;
     MetCell half;

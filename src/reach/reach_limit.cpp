@@ -40,6 +40,8 @@ class CellWalk {
   FarPlace open_place() const { return open_; }
 
  protected:
+  // Smaller cells are not visited.
+  virtual double least_half() const { return cells_.least_half(); }
   // What exact numbers know of a cell: nothing here.
   virtual bool may_decide() const { return false; }
   // Whether the part has a point that is beyond T, the one nearest to the center of a cell.
@@ -71,7 +73,7 @@ class CellWalk {
     }
     if (is_beyond_) return Below::Stop;
     if (pays(place) && is_clear_inside(cells_, near_, met, y)) return Below::Skip;
-    const bool is_least = place.half <= cells_.least_half() || is_full(place);
+    const bool is_least = place.half <= least_half() || is_full(place);
     if (decides(met, is_least)) return is_beyond_ ? Below::Stop : Below::Skip;
     if (!is_least) return Below::Visit;
     is_open_ = true;
@@ -121,7 +123,8 @@ class PartWalk : public CellWalk {
            const Rational& squared_limit, const Watch& watch)
       : CellWalk(cells, near, watch), part_(part), squared_limit_(squared_limit) {}
 
-  // By cells alone, whose first open one ends the search; `near` may be smaller than the part.
+  // By cells that are not too small, whose first open one ends the search; `near` may be smaller
+  // than the part.
   std::optional<PartReach> answer_of_cells() {
     clips_ = false;
     if (is_within()) return PartReach{};
@@ -141,6 +144,10 @@ class PartWalk : public CellWalk {
   }
 
  private:
+  double least_half() const override {
+    return clips_ ? cells_.least_half()
+                  : std::max(cells_.least_half(), kClipTo * cells_.limit_up());
+  }
   bool may_decide() const override { return clips_; }
   bool confirms(const CellPlace& place) override {
     return consider(point_of_part(place), farthest_);
