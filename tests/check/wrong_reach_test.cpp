@@ -151,7 +151,7 @@ bool separates(const RationalVector3& n, const CubeOfCell& cube, const ConvexPar
 
 }  // namespace
 
-TEST_CASE("reach proof: a direction is accepted iff it separates the cell from the part") {
+TEST_CASE("reach proof: a direction is accepted iff it separates the cell from the part" * sweep) {
   const Decomposition parts = decomposed(dented_cube(), guarded());
   const ProofText good(write_decomposition_proof(parts, guarded()));
   const std::vector<CubeOfCell> cubes = cubes_of(good);
