@@ -227,15 +227,18 @@ class MeshReader {
     for (WordList words; !(words = next(lines)).empty();) add_point(words, 0);
   }
 
-  // Binary if it has 84 + 50 n bytes, where bytes 80 to 83 hold n; or more, if it is no text that
-  // names a vertex: what stands behind the last triangle is not looked at then.
+  // Binary if it has 84 + 50 n bytes, where bytes 80 to 83 hold n; or more, if there is a byte 0,
+  // which text has not: what stands behind the last triangle is not looked at then.
   void read_stl() {
     const BinaryType count{4, BinaryType::Unsigned};
     const bool has_header = bytes_.size() >= 84;
     const Rational triangles = has_header ? Binary(bytes_, 80, false).number(count) : Rational(0);
     const Rational size = 84 + 50 * triangles;
-    if (!has_header || size != bytes_.size()) read_text_stl();
-    if (has_header && file.rows.empty() && size <= bytes_.size()) {
+    const bool is_text = bytes_.find('\0') == std::string::npos && size != bytes_.size();
+    if (!has_header || is_text) {
+      read_text_stl();
+    } else {
+      expect(size <= bytes_.size(), "as many bytes as its triangles take");
       read_binary_stl(triangles.get_num().get_ui());
     }
     add_stl_faces();

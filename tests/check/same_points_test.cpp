@@ -150,6 +150,9 @@ TEST_CASE("same points: OFF, PLY, STL and XYZ, as text and as bytes (#13)") {
   // Bytes behind the last triangle, which the program skips with a note.
   CHECK(verdict_on("a.stl", stl + "tail", 9.0) == 0);
   CHECK(verdict_on("a.stl", stl + "tail", 9.5) == 1);
+  // Nor is it text that stands there, as there are bytes 0. (Found by fuzzing.)
+  CHECK(verdict_on("a.stl", stl + "\nvertex 8 8 8\n", 9.0) == 0);
+  CHECK(verdict_on("a.stl", stl + "\nvertex 8 8 8\n", 9.5) == 1);
   CHECK(verdict_on("a.stl", stl.substr(0, stl.size() - 1), 9.0) != 0);
   const std::string text =
       "solid vertex 1 1 1\nfacet normal 0 0 1\nouter loop\n VERTEX 0 0 0\nvertex 8 0 0\n"
