@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <filesystem>
+#include <fstream>
 #include <memory>
 
 #include "cli/progress.hpp"
@@ -49,6 +50,7 @@ struct StressArguments {
   SearchRequest search{.kicks = 20};
   StressLimits limits{120, std::uint64_t(4) << 30};
   std::size_t jobs = 2;
+  std::string log;
   bool list = false, cases = false, parts = false;
 };
 
@@ -158,6 +160,12 @@ std::vector<StressInput> all_inputs(const StressArguments& options) {
   return inputs;
 }
 
+// A line for each run, which is in the file when this returns.
+void write_log(std::ofstream& log, const std::string& path, std::span<const StressRun> runs) {
+  for (const StressRun& run : runs) log << write_json(stress_run_json(run)) << "\n";
+  if (!log.flush()) throw Error(ErrorCode::Unwritable, path + ": cannot be written");
+}
+
 int run_stress(const StressArguments& options) {
   if (options.parts) return run_parts(options);
   if (options.list) {
@@ -171,6 +179,12 @@ int run_stress(const StressArguments& options) {
   request.search = options.search;
   request.limits = options.limits;
   request.processes = options.jobs;
+  std::ofstream log;
+  if (!options.log.empty()) {
+    log.open(options.log);
+    request.judged = [&](std::span<const StressRun> runs) { write_log(log, options.log, runs); };
+    request.judged({});
+  }
   request.watch = progress.watch("judging inputs");
   const StressReport report = stress(all_inputs(options), request);
   progress.clear();
@@ -217,6 +231,9 @@ void add_run_options(Command& command, StressArguments& options) {
   add_bytes(command, "--memory-limit", options.limits.memory,
             "address space for each of these, e.g. 2GB; 0 for none (default: 4GB)");
   add_count(command, "--jobs", options.jobs, {1, 256}, "how many of these run at the same time");
+  command.add_option("--log", options.log,
+                     "a file that gets each run as a line of JSON as soon as it is judged: what is "
+                     "there survives a stop");
 }
 
 }  // namespace

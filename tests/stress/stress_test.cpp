@@ -351,6 +351,40 @@ TEST_CASE("stress: an interrupt ends it and its processes") {
   CHECK_THROWS_AS((void)stress(one_input(), request), Error);
 }
 
+TEST_CASE("stress: what was judged before a stop is told") {
+  std::vector<StressInput> inputs = one_input();
+  inputs.push_back(inputs.front());
+  std::atomic<bool> stop = false;
+  std::vector<StressRun> judged;
+  StressRequest request;
+  request.engines = {Engine::Filtered};
+  request.limits.memory = 0;  // sanitizers reserve more than any
+  request.watch = &stop;
+  request.judged = [&](std::span<const StressRun> runs) {
+    judged.insert(judged.end(), runs.begin(), runs.end());
+    stop = true;
+  };
+  CHECK_THROWS_AS((void)stress(inputs, request), Error);
+  REQUIRE(judged.size() == 1);
+  CHECK(judged[0].passes());
+}
+
+TEST_CASE("stress --log: a line for each run, as in the report") {
+  const support::ScratchFolder folder;
+  const std::string log = folder.file("runs.jsonl");
+  const auto run = support::run_program(
+      "stress needle --values 7,9 --size 8 --engines filtered --json --memory-limit 0 --log " +
+      log);
+  REQUIRE(run.exit == 0);
+  nlohmann::json lines = nlohmann::json::array();
+  std::istringstream text(support::bytes_of(log));
+  for (std::string line; std::getline(text, line);) lines.push_back(nlohmann::json::parse(line));
+  CHECK(lines.size() == 2);
+  const auto runs = nlohmann::json::parse(run.out)["runs"];
+  for (const auto& line : lines) CHECK(std::find(runs.begin(), runs.end(), line) != runs.end());
+  CHECK(support::run_program("stress needle --values 7 --log " + log + "/no").exit == 5);
+}
+
 TEST_CASE(
     "stress: the program's exit code is 0 for promises kept, 1 for broken ones, 2 for nonsense" *
     sweep) {

@@ -125,6 +125,7 @@ void Sweep::finish(std::size_t i, const ChildEnd& end) {
                              : unjudged(inputs_[i], progress.answers, "the judge: " + end.why);
   progress.answers.clear();
   progress.done = true;
+  request_.judged(progress.runs);
   ++done_;
   request_.watch.report(done_, inputs_.size());
 }

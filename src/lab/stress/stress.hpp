@@ -20,6 +20,8 @@ struct StressRequest {
   std::size_t processes = 1;  ///< At the same time, >= 1.
   /// The engines under test; replaced in tests of the judge itself.
   std::function<EngineAnswer(const Shape&, const Question&)> answer = answer_of;
+  /// Told of the runs on each input as soon as they are judged.
+  std::function<void(std::span<const StressRun>)> judged = [](std::span<const StressRun>) {};
   Watch watch = {};  ///< Told of the inputs that are done; ends it: Error Stopped.
 };
 

@@ -131,30 +131,6 @@ Json lean_json(const std::vector<LeanStep>& steps) {
   return list;
 }
 
-Json run_json(const StressRun& run) {
-  Json json = {{"family", run.family}, {"parameter", run.parameter},    {"value", run.value},
-               {"seed", run.seed},     {"engine", name_of(run.engine)}, {"end", name_of(run.end)}};
-  if (!run.why.empty()) json["why"] = run.why;
-  json["input"] = run.input;
-  json["halfspaces"] = run.at_start;
-  json["steps"] = run.steps;
-  json["compared"] = run.compared;
-  json["seconds"] = run.seconds;
-  json["memory"] = run.memory;
-  json["volume_error"] = optional_json(run.volume_error);
-  json["cost_error"] = optional_json(run.cost_error);
-  json["first_difference"] = optional_json(run.first_difference);
-  json["other_ties"] = run.other_ties;
-  if (run.undecided > 0) json["undecided"] = run.undecided;
-  if (run.moves) json["moves"] = *run.moves;
-  json["regret"] = optional_json(run.regret);
-  json["claim"] = claim_json(run.claim);
-  json["stored"] = Json::array();
-  for (const StressStored& stored : run.stored) json["stored"].push_back(stored_json(stored));
-  json["faults"] = run.faults;
-  return json;
-}
-
 StressRun run_in(const nlohmann::json& read) {
   StressRun run;
   run.family = read.at("family");
@@ -185,9 +161,33 @@ StressRun run_in(const nlohmann::json& read) {
 
 }  // namespace
 
+Json stress_run_json(const StressRun& run) {
+  Json json = {{"family", run.family}, {"parameter", run.parameter},    {"value", run.value},
+               {"seed", run.seed},     {"engine", name_of(run.engine)}, {"end", name_of(run.end)}};
+  if (!run.why.empty()) json["why"] = run.why;
+  json["input"] = run.input;
+  json["halfspaces"] = run.at_start;
+  json["steps"] = run.steps;
+  json["compared"] = run.compared;
+  json["seconds"] = run.seconds;
+  json["memory"] = run.memory;
+  json["volume_error"] = optional_json(run.volume_error);
+  json["cost_error"] = optional_json(run.cost_error);
+  json["first_difference"] = optional_json(run.first_difference);
+  json["other_ties"] = run.other_ties;
+  if (run.undecided > 0) json["undecided"] = run.undecided;
+  if (run.moves) json["moves"] = *run.moves;
+  json["regret"] = optional_json(run.regret);
+  json["claim"] = claim_json(run.claim);
+  json["stored"] = Json::array();
+  for (const StressStored& stored : run.stored) json["stored"].push_back(stored_json(stored));
+  json["faults"] = run.faults;
+  return json;
+}
+
 Json stress_json(const StressReport& report) {
   Json runs = Json::array();
-  for (const StressRun& run : report.runs) runs.push_back(run_json(run));
+  for (const StressRun& run : report.runs) runs.push_back(stress_run_json(run));
   Json json = {{"passes", report.passes()}, {"seconds", report.seconds}};
   if (report.cost != CostMeasure::Volume) json["cost"] = name_of(report.cost);
   json["runs"] = runs;

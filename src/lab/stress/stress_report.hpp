@@ -115,6 +115,8 @@ struct StressReport {
 
 /// Everything: docs/schema/stress.schema.json. Infinite numbers are the string "infinite".
 [[nodiscard]] Json stress_json(const StressReport& report);
+/// One of its runs.
+[[nodiscard]] Json stress_run_json(const StressRun& run);
 
 /// The runs in the text of such a report.
 [[nodiscard]] std::vector<StressRun> stress_runs_in(std::string_view text);
