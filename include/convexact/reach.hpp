@@ -96,8 +96,9 @@ class ReachLimit {
   [[nodiscard]] PartReach operator()(const ConvexPart& part, const Watch& watch = {});
 
   /// Whether the part is proven to be within T by cells alone: quicker, and enough for a guard. It
-  /// is certain to be if its reach is at most T - 2 sqrt(3) h, with h the least half width of
-  /// cells, T / 128 to T / 64; and what contains a part that is refused is refused, up to rounding.
+  /// is certain to be if its reach is at most T - 2 sqrt(3) h - T / 4096, with h the least half
+  /// width of cells, T / 128 to T / 64; and what contains a part that is refused is refused, up to
+  /// rounding.
   /// @throws As above.
   [[nodiscard]] bool allows(const ConvexPart& part, const Watch& watch = {});
 
@@ -115,7 +116,8 @@ class ReachLimit {
 
   /// A proof that parts that are all within T by cells alone are so.
   /// @throws Error Unrepresentable if one of them is not, or if that takes more than kReachCells
-  ///               cells: along facets that lie in faces, those of a proof are as small as T.
+  ///               cells: along facets that lie in faces, those of a proof are as small as T, so
+  ///               that it may fail for a part that allows() allows.
   ///               Stopped when the watch ends the call.
   [[nodiscard]] ReachCertificate certificate(std::span<const ConvexPart* const> parts,
                                              const Watch& watch = {});

@@ -228,20 +228,27 @@ class MeshReader {
   }
 
   // Binary if it has 84 + 50 n bytes, where bytes 80 to 83 hold n; or more, if there is a byte 0,
-  // which text has not: what stands behind the last triangle is not looked at then.
+  // which text has not: what stands behind the last triangle is not looked at then. A file with
+  // such a byte that begins as text does is refused: which of the two it is depends on all of it.
   void read_stl() {
     const BinaryType count{4, BinaryType::Unsigned};
     const bool has_header = bytes_.size() >= 84;
     const Rational triangles = has_header ? Binary(bytes_, 80, false).number(count) : Rational(0);
     const Rational size = 84 + 50 * triangles;
-    const bool is_text = bytes_.find('\0') == std::string::npos && size != bytes_.size();
-    if (!has_header || is_text) {
+    const bool is_exact = has_header && size == bytes_.size();
+    if (!is_exact && bytes_.find('\0') == std::string::npos) {
       read_text_stl();
     } else {
-      expect(size <= bytes_.size(), "as many bytes as its triangles take");
+      expect(has_header && size <= bytes_.size(), "as many bytes as its triangles take");
+      expect(is_exact || !begins_as_text(), "text or bytes, not both");
       read_binary_stl(triangles.get_num().get_ui());
     }
     add_stl_faces();
+  }
+  bool begins_as_text() const {
+    const std::string text = lower_case(bytes_);
+    const WordList words = Lines(text).next();
+    return !words.empty() && words[0] == "solid";
   }
   void read_binary_stl(std::size_t triangles) {
     const BinaryType real{4, BinaryType::Real};

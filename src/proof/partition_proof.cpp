@@ -99,7 +99,8 @@ void write_surface(const Surface& surface, ProofLines& out) {
   }
 }
 
-// What takes clipping is not claimed.
+// What takes clipping is not claimed. (What takes too many cells, or cells that only allows()
+// knows, is refused: who asks for a proof is told that there is none.)
 void write_reach(const Decomposition& made, const DecomposeRequest& request, ProofLines& out) {
   const Watch watch(request.watch.stop);
   const Surface& surface = made.surface;

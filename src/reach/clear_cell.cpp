@@ -19,8 +19,11 @@ Point inner_point(const NearPart& part, const CellPlace& place, const Point& y) 
 }
 
 // Whether each triangle that may meet what the part has in the cell is beyond one of its planes.
-bool has_no_triangle(const ReachCells& cells, const NearPart& part, const MetCell& met) {
+// The planes of a NearSolid hold a little more than its vertices, so c need not be in their box.
+bool has_no_triangle(const ReachCells& cells, const NearPart& part, const MetCell& met,
+                     const Point& c) {
   NearBox box = part.box();
+  box.include(c);
   box.low.array() -= kReachError;
   box.high.array() += kReachError;
   const Point wide = Point::Constant(met.place.half - kInset);
@@ -43,8 +46,9 @@ bool has_no_triangle(const ReachCells& cells, const NearPart& part, const MetCel
 }  // namespace
 
 // With s = depth / r, r being how far all planes are from the middle m, each point x moves to
-// x + s (m - x), and each plane by at least `depth`. Labels of cells are about a distance that is
-// smaller than T by kReachSlack, more than any point moves.
+// x + s (m - x), and each plane by about `depth`. Labels of cells are about a distance that is
+// smaller than T by kReachSlack, more than any point moves. What is so thin that s would be large
+// stays as it is.
 std::optional<NearPart> inner_part(const ReachCells& cells, const NearPart& part) {
   constexpr double kDepth = 4 * kReachError;
   if (part.planes() == 0) return {};
@@ -54,16 +58,16 @@ std::optional<NearPart> inner_part(const ReachCells& cells, const NearPart& part
     inside = std::min(inside, -part.beyond(k, middle));
   }
   for (const Point& v : part.vertices()) far = std::max(far, (v - middle).norm());
+  if (!(inside > 2 * kDepth + kReachError)) return {};
   const double share = kDepth / (inside - kReachError);
-  if (!(inside > 2 * kReachError) || share * far > cells.limit_down() * (kReachSlack / 2))
-    return {};
+  if (share * far > cells.limit_down() * (kReachSlack / 2)) return {};
   return part.towards(middle, share);
 }
 
-// What the part has in common with a cell that is smaller by kInset is convex, so if no triangle
-// meets it, the surface winds about all of it as about any point c of it. The rest is near it: if c
-// is at least h / 8 from the walls of the cell of half width h, a point x there moves into the
-// smaller cell with x + s (c - x), s = 8 kInset / h, by less than 2^5 kInset.
+// What the planes of the part, its box with a point c and a cell that is smaller by kInset have in
+// common is convex, so if no triangle meets it, the surface winds about all of it as about c. The
+// rest is near it: if c is at least h / 8 from the walls of the cell of half width h, a point x
+// there moves into the smaller cell with x + s (c - x), s = 8 kInset / h, by less than 2^5 kInset.
 bool is_clear_inside(const ReachCells& cells, const NearPart& part, const MetCell& met,
                      const Point& y) {
   if (!cells.has_inside() || part.planes() == 0 || met.planes.size() > kMostPlanes) return false;
@@ -71,7 +75,7 @@ bool is_clear_inside(const ReachCells& cells, const NearPart& part, const MetCel
   const Point c = inner_point(part, place, y);
   return (c - place.center).lpNorm<Eigen::Infinity>() <= place.half * 0.875 &&
          32 * kInset <= cells.limit_down() * (kReachSlack / 2) && part.holds(met.planes, c) &&
-         has_no_triangle(cells, part, met) && !cells.is_outside(c);
+         has_no_triangle(cells, part, met, c) && !cells.is_outside(c);
 }
 
 }  // namespace convexact

@@ -63,13 +63,13 @@ class NearPart {
   double beyond(std::uint32_t plane, const Point& y) const {
     return planes_[plane].normal.dot(y) + planes_[plane].offset;
   }
-  /// A point inside of the part, unless that is flat.
+  /// A point inside of the part, unless that is flat or nearly so.
   Point middle() const {
     Point sum = Point::Zero();
     for (const Point& v : vertices_) sum += v;
     return sum / static_cast<double>(vertices_.size());
   }
-  /// With all points x moved to x + share (to - x).
+  /// With all points x moved to x + share (to - x), share < 1.
   NearPart towards(const Point& to, double share) const {
     NearPart moved = *this;
     for (Point& v : moved.vertices_) v += share * (to - v);

@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: MIT
 // reach_certificate.cpp - the cells that hold some parts, as a proof that somebody else can check.
-#include <fmt/format.h>
-
 #include <map>
 
 #include "convexact/reach.hpp"
@@ -74,9 +72,8 @@ class CertificateWriter {
         (cells_.is_full() && !cells_.has_children(place.cell))) {
       throw Error(
           ErrorCode::Unrepresentable,
-          fmt::format("to prove how far parts reach takes more, or smaller, cells than the {} "
-                      "that a proof may have: choose a larger distance, or no proof",
-                      kReachCells));
+          "cells alone do not prove how far a part reaches, or only more cells than a proof "
+          "may have: choose a larger distance, or no proof");
     }
     made_.cells[number].kind = Kind::Split;
     MetCell half;
@@ -132,6 +129,7 @@ class CertificateWriter {
 
 ReachCertificate ReachLimit::certificate(std::span<const ConvexPart* const> parts,
                                          const Watch& watch) {
+  search_->cells.make_room();
   return CertificateWriter(search_->cells, parts, watch).write();
 }
 

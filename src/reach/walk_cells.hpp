@@ -18,8 +18,8 @@ enum class Below { Visit, Skip, Stop };
 template <class Visit>
 class CellOrder {
  public:
-  CellOrder(ReachCells& cells, const NearPart& part, Visit visit)
-      : cells_(cells), part_(part), visit_(std::move(visit)) {}
+  CellOrder(ReachCells& cells, const NearPart& part, Visit visit, std::size_t most_waiting)
+      : cells_(cells), part_(part), visit_(std::move(visit)), most_waiting_(most_waiting) {}
 
   void run() {
     MetCell root{cells_.root(), {}};
@@ -51,7 +51,6 @@ class CellOrder {
 
   // Where too many wait, depth comes first: what waits takes more memory than a cell.
   void visit(const MetCell& met) {
-    constexpr std::size_t kMostWaiting = std::size_t{1} << 16;
     const Below below = visit_(met);
     is_stopped_ = is_stopped_ || below == Below::Stop;
     if (below != Below::Visit) return;
@@ -59,7 +58,7 @@ class CellOrder {
     for (const CellPlace& at : cells_.children(met.place)) {
       if (!met.may_meet(part_, at, half)) continue;
       if (cells_.label(at) != ReachCells::Label::Open) continue;
-      if (waiting_.size() < kMostWaiting) {
+      if (waiting_.size() < most_waiting_) {
         push(half);
       } else {
         const MetCell next = half;
@@ -72,15 +71,20 @@ class CellOrder {
   ReachCells& cells_;
   const NearPart& part_;
   Visit visit_;
+  std::size_t most_waiting_;
   std::vector<Waiting> waiting_;  // a heap
   std::size_t pushed_ = 0;
   bool is_stopped_ = false;
 };
 
+/// Of as many cells it is kept that they wait.
+inline constexpr std::size_t kMostWaiting = std::size_t{1} << 16;
+
 /// @param visit  Takes a MetCell, returns a Below.
 template <class Visit>
-void walk_cells(ReachCells& cells, const NearPart& part, Visit visit) {
-  CellOrder<Visit>(cells, part, std::move(visit)).run();
+void walk_cells(ReachCells& cells, const NearPart& part, Visit visit,
+                std::size_t most_waiting = kMostWaiting) {
+  CellOrder<Visit>(cells, part, std::move(visit), most_waiting).run();
 }
 
 }  // namespace convexact

@@ -153,6 +153,10 @@ TEST_CASE("same points: OFF, PLY, STL and XYZ, as text and as bytes (#13)") {
   // Nor is it text that stands there, as there are bytes 0. (Found by fuzzing.)
   CHECK(verdict_on("a.stl", stl + "\nvertex 8 8 8\n", 9.0) == 0);
   CHECK(verdict_on("a.stl", stl + "\nvertex 8 8 8\n", 9.5) == 1);
+  // What may be either is neither.
+  const std::string either = "solid" + std::string(75, ' ') + stl.substr(80);
+  CHECK(verdict_on("a.stl", either, 9.0) == 0);
+  CHECK(verdict_on("a.stl", either + "tail", 9.0) == 3);
   CHECK(verdict_on("a.stl", stl.substr(0, stl.size() - 1), 9.0) != 0);
   const std::string text =
       "solid vertex 1 1 1\nfacet normal 0 0 1\nouter loop\n VERTEX 0 0 0\nvertex 8 0 0\n"

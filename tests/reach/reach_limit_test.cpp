@@ -14,6 +14,7 @@
 #include "reach/clear_cell.hpp"
 #include "reach/clipped_part.hpp"
 #include "reach/reach_cells.hpp"
+#include "reach/walk_cells.hpp"
 #include "sweep.hpp"
 using namespace convexact;
 using support::Box;
@@ -401,6 +402,74 @@ TEST_CASE("reach: what a part has in a clear cell is near, in exact numbers" * s
   MESSAGE("clear ", clear, ", others ", others);
   CHECK(clear > 200);
   CHECK(others > 200);
+}
+
+// So thin that moving planes inward by roundings would turn them inside out.
+TEST_CASE("reach: slivers just beyond T are not within") {
+  const World world(support::box_mesh({{-0.48, -0.48, -0.48}, {-0.25, 0.48, 0.48}}));
+  const ConvexPart frame = part_of(Box{{-0.48, -0.48, -0.48}, {0.48, 0.48, 0.48}});
+  constexpr double kFar = 0x1p-17;  // beyond T = 1/4
+  for (const double r : {2.5, 3.0, 4.0, 4.2, 6.0, 9.0, 20.0}) {
+    CAPTURE(r);
+    const Box box{{-3 * kFar, -kFar, -r * 0x1p-43}, {kFar, kFar, r * 0x1p-43}};
+    ReachLimit limit = world.limit(squared_of(0.25), std::span(&frame, 1));
+    REQUIRE(limit.frame()(RationalPoint(0, 0, 0)) == Point(0, 0, 0));
+    CHECK(limit(part_of(box)).reach != Reach::Within);
+    CHECK_FALSE(limit.allows(part_of(box)));
+    CHECK_FALSE(limit.allows_near(support::box_corners(box)));
+    CHECK(limit.farthest(support::box_corners(box)));
+  }
+}
+
+// The planes of its hull meet beyond its sharp edge, inside of the second box.
+TEST_CASE("reach: a wedge that ends in a gap is not within") {
+  constexpr double kGap = 0x1p-6, kLimit = kGap / 4, kAt = 17.0 / 64, kMiddle = 1.0 / 64;
+  Mesh mesh = support::box_mesh({{-0.48, -0.48, -0.48}, {kAt - kGap - 0x1p-20, 0.48, 0.48}});
+  std::vector<Point> points(mesh.points.doubles().begin(), mesh.points.doubles().end());
+  for (const Point& p :
+       support::box_corners({{kAt - 0.255 * kGap, -0.48, -0.48}, {0.48, 0.48, 0.48}})) {
+    points.push_back(p);
+  }
+  for (auto face : support::box_faces()) {
+    for (auto& corner : face) corner += 8;
+    mesh.polygons.push_back(face);
+  }
+  mesh.points = PointSet(points);
+  mesh.parts.clear();
+  const World world(mesh);
+  std::vector<Point> wedge;
+  for (const double y : {-0x1p-18, 0x1p-18}) {
+    for (const double z : {-0x1p-25, 0x1p-25}) wedge.emplace_back(-0.4, kMiddle + y, kMiddle + z);
+    wedge.emplace_back(kAt - 0.26 * kGap, kMiddle + y, kMiddle);
+  }
+  ReachLimit limit = world.limit(squared_of(kLimit), {});
+  REQUIRE(limit.frame()(RationalPoint(0, 0, 0)) == Point(0, 0, 0));
+  REQUIRE(limit.frame().exponent == 0);
+  CHECK(limit(part_of(wedge)).reach == Reach::Beyond);
+  CHECK_FALSE(limit.allows_near(wedge));
+  CHECK(limit.farthest(wedge));
+}
+
+TEST_CASE("reach: however few cells wait, the same ones are visited") {
+  const World world(support::mesh_of_cells(slot_cells()));
+  const ConvexPart hull = convex_part(world.surface.points);
+  ReachCells cells(world.surface, &*world.winding, frame_around(std::span(&hull.box, 1)),
+                   squared_of(0.3));
+  const NearPart near(hull, cells.frame());
+  const auto visited = [&](std::size_t most_waiting) {
+    std::set<std::uint32_t> found;
+    walk_cells(
+        cells, near,
+        [&](const MetCell& met) {
+          CHECK(found.insert(met.place.cell).second);
+          return met.place.half < 0x1p-5 ? Below::Skip : Below::Visit;
+        },
+        most_waiting);
+    return found;
+  };
+  const std::set<std::uint32_t> all = visited(kMostWaiting);
+  CHECK(all.size() > 100);
+  for (const std::size_t most : {1u, 2u, 7u}) CHECK(visited(most) == all);
 }
 
 TEST_CASE("reach: what it refuses") {
