@@ -35,7 +35,9 @@ TEST_CASE("lab: convexact starts it, with all arguments and its exit code") {
 
 TEST_CASE("lab: where it is missing, one sentence says how to get it") {
   const ScratchFolder folder;
-  const std::string alone = folder.file("convexact");
+  // In a folder of its own, as the lab is looked for beside that, too.
+  std::filesystem::create_directory(folder.file("bin"));
+  const std::string alone = folder.file("bin/convexact");
   std::filesystem::copy_file(std::getenv("CONVEXACT_PROGRAM"), alone);
   const std::string out = folder.file("out"), err = folder.file("err");
   const auto run = [&](const std::string& words) {
