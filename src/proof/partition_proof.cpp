@@ -99,8 +99,27 @@ void write_surface(const Surface& surface, ProofLines& out) {
   }
 }
 
-// What takes clipping is not claimed. (What takes too many cells, or cells that only allows()
-// knows, is refused: who asks for a proof is told that there is none.)
+namespace {
+
+// What cells alone do not prove, or too many of them, is not claimed.
+std::optional<ReachCertificate> certificate_of(ReachLimit& limit,
+                                               const std::vector<ConvexPart>& stored,
+                                               const Watch& watch) {
+  std::vector<const ConvexPart*> parts;
+  for (const ConvexPart& part : stored) {
+    if (!limit.allows(part, watch)) return {};
+    parts.push_back(&part);
+  }
+  try {
+    return limit.certificate(parts, watch);
+  } catch (const Error& error) {
+    if (error.code() != ErrorCode::Unrepresentable) throw;
+    return {};
+  }
+}
+
+}  // namespace
+
 void write_reach(const Decomposition& made, const DecomposeRequest& request, ProofLines& out) {
   const Watch watch(request.watch.stop);
   const Surface& surface = made.surface;
@@ -113,17 +132,13 @@ void write_reach(const Decomposition& made, const DecomposeRequest& request, Pro
   std::optional<Winding> winding;
   if (surface.is_closed) winding.emplace(surface);
   ReachLimit limit(surface, winding ? &*winding : nullptr, made.reach->squared_distance, boxes);
-  std::vector<const ConvexPart*> parts;
-  for (const ConvexPart& part : stored) {
-    if (!limit.allows(part, watch)) return;
-    parts.push_back(&part);
-  }
-  const ReachCertificate certificate = limit.certificate(parts, watch);
+  const std::optional<ReachCertificate> certificate = certificate_of(limit, stored, watch);
+  if (!certificate) return;
   const ConcavityLimit distance = request.distance.value_or(kDefaultDistance);
   out.line("reach", distance.is_share ? "share" : "length", distance.value);
-  out.line("root", certificate.center, certificate.half_width);
-  for (const ReachCertificate::Cell& cell : certificate.cells) out.line("cell", kind_text(cell));
-  for (const auto& [cell, part, direction] : certificate.apart) {
+  out.line("root", certificate->center, certificate->half_width);
+  for (const ReachCertificate::Cell& cell : certificate->cells) out.line("cell", kind_text(cell));
+  for (const auto& [cell, part, direction] : certificate->apart) {
     out.line("beyond", cell, part, direction);
   }
 }

@@ -72,6 +72,7 @@ bool is_clear_inside(const ReachCells& cells, const NearPart& part, const MetCel
                      const Point& y) {
   if (!cells.has_inside() || part.planes() == 0 || met.planes.size() > kMostPlanes) return false;
   const CellPlace& place = met.place;
+  if (place.half < cells.limit_up()) return false;  // labels say so as quickly
   const Point c = inner_point(part, place, y);
   return (c - place.center).lpNorm<Eigen::Infinity>() <= place.half * 0.875 &&
          32 * kInset <= cells.limit_down() * (kReachSlack / 2) && part.holds(met.planes, c) &&

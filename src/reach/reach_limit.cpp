@@ -72,7 +72,7 @@ class CellWalk {
       }
     }
     if (is_beyond_) return Below::Stop;
-    if (pays(place) && is_clear_inside(cells_, near_, met, y)) return Below::Skip;
+    if (is_clear_inside(cells_, near_, met, y)) return Below::Skip;
     const bool is_least = place.half <= least_half() || is_full(place);
     if (decides(met, is_least)) return is_beyond_ ? Below::Stop : Below::Skip;
     if (!is_least) return Below::Visit;
@@ -87,9 +87,6 @@ class CellWalk {
   bool is_full(const CellPlace& place) const {
     return cells_.is_full() && !cells_.has_children(place.cell);
   }
-
-  // Of smaller cells, labels say so as quickly.
-  bool pays(const CellPlace& place) const { return place.half >= cells_.limit_up(); }
 
   // A point y of the part, up to rounding, that is about in the cell. Rounding moved it by less
   // than kReachError, so it did not take it through the surface.
@@ -286,9 +283,7 @@ class FarthestWalk {
       if (widened(hull.bounds, place.center).low > place.radius()) return Below::Skip;
       y = place.center + hull.nearest;
     }
-    if (place.half >= cells_.limit_up() && is_clear_inside(cells_, near_, met, y)) {
-      return Below::Skip;
-    }
+    if (is_clear_inside(cells_, near_, met, y)) return Below::Skip;
     if (place.half <= cells_.limit_up() * kFine) return Below::Skip;
     const bool is_full = cells_.is_full() && !cells_.has_children(place.cell);
     return is_full ? Below::Skip : Below::Visit;
