@@ -34,11 +34,13 @@ struct PartReach {
   std::optional<SquaredBracket> bracket;
 };
 
-/// What a proof tells of the cells that hold some parts, as a tree in preorder.
+/// What a proof tells of the cells that hold some parts, as a tree in preorder. Parts with an
+/// interior are made smaller by so little that cells along their facets need not be as small as T;
+/// in return, cells are near if they are within (1 - slack) T.
 struct ReachCertificate {
   enum class Kind {
     Split,   ///< Eight cells of half the size follow, with their trees: x fastest, low first.
-    Near,    ///< All corners of the cell are within T of one triangle.
+    Near,    ///< All corners of the cell are within (1 - slack) T of one triangle.
     Inside,  ///< No triangle meets the cell, and the surface winds about its center.
     Open,    ///< No part meets the cell.
   };
@@ -48,6 +50,18 @@ struct ReachCertificate {
     /// Of Inside: an earlier cell of this kind that touches this one, if there is one.
     std::optional<std::size_t> beside = {};
   };
+  /// A part's points x move to x + share (middle - x), by at most slack T each.
+  struct Inner {
+    std::size_t part;
+    RationalPoint middle;  ///< Inside of the part.
+    Rational share;
+  };
+  /// No triangle meets the interior of what a part and a cell have in common, and the surface winds
+  /// about `point` in there.
+  struct Clear {
+    std::size_t cell, part;
+    RationalPoint point;
+  };
   /// A cell and a part lie on different sides of a plane across `direction`: each point of the cell
   /// is farther along it than each point of the part.
   struct Apart {
@@ -56,7 +70,10 @@ struct ReachCertificate {
   };
   RationalPoint center;  ///< Of the root, the first cell.
   Rational half_width;   ///< Of the root.
+  Rational slack;
+  std::vector<Inner> inner;  ///< By part, those that are made smaller.
   std::vector<Cell> cells;
+  std::vector<Clear> clear;  ///< By cell.
   std::vector<Apart> apart;  ///< By part, and for each by cell.
 };
 
@@ -116,8 +133,7 @@ class ReachLimit {
 
   /// A proof that parts that are all within T by cells alone are so.
   /// @throws Error Unrepresentable if one of them is not, or if that takes more than kReachCells
-  ///               cells: along facets that lie in faces, those of a proof are as small as T, so
-  ///               that it may fail for a part that allows() allows.
+  ///               cells.
   ///               Stopped when the watch ends the call.
   [[nodiscard]] ReachCertificate certificate(std::span<const ConvexPart* const> parts,
                                              const Watch& watch = {});

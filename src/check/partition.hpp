@@ -28,9 +28,7 @@ class PartitionProof : public SurfaceProof {
            "convexact-proof 6 partition");
     read_triangles();
     for (const Row& p : points_) places_.push_back(vector_of(p));
-    for (const auto& [a, b, c] : triangles_) {
-      placed_.emplace_back(std::array<Vector, 3>{places_[a], places_[b], places_[c]});
-    }
+    winding_.emplace(placed(points_, triangles_));
     is_closed_ = ReachProof::is_closed(triangles_);
     while (words_.take_if("part")) read_part();
     Polygons all;
@@ -169,9 +167,6 @@ class PartitionProof : public SurfaceProof {
     return ends;
   }
 
-  Rational value(const Row& plane, const Vector& x) const {
-    return plane[0] * x[0] + plane[1] * x[1] + plane[2] * x[2] + plane[3];
-  }
   int side(std::size_t corner, const Row& plane, std::map<std::size_t, int>& sides) const {
     const auto [known, is_new] = sides.emplace(corner, 0);
     if (is_new) {
@@ -272,13 +267,13 @@ class PartitionProof : public SurfaceProof {
     }
     for (const std::size_t c : all) {
       if (part != nullptr && is_in(*part, c)) continue;
-      require(winding_beside(placed_, places_[c], middle - places_[c]) == 0,
+      require(winding_->beside(places_[c], middle - places_[c]) == 0,
               "a corner of a region is in the solid, and not in the part");
     }
   }
 
   std::vector<Vector> places_;  // of the points, and of all corners that cuts made
-  std::vector<PlacedTriangle> placed_;
+  std::optional<WindingNumbers> winding_;
   bool is_closed_ = false;
   std::vector<PlacedPart> parts_;
   std::set<Pair> apart_;  // pairs of parts without a plane yet

@@ -6,6 +6,7 @@
 #pragma once
 #include <map>
 #include <optional>
+#include <set>
 
 #include "text.hpp"
 
@@ -22,6 +23,9 @@ inline Rational dot(const Vector& a, const Vector& b) {
 inline Vector cross(const Vector& a, const Vector& b) {
   return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
 }
+inline Rational value(const Row& plane, const Vector& x) {
+  return plane[0] * x[0] + plane[1] * x[1] + plane[2] * x[2] + plane[3];
+}
 inline Vector vector_of(const Row& p) {
   return {quotient(p[0], p[3]), quotient(p[1], p[3]), quotient(p[2], p[3])};
 }
@@ -36,6 +40,22 @@ struct PlacedTriangle {
     for (std::size_t k = 0; k < 3; ++k) edges[k] = corners[(k + 1) % 3] - corners[k];
     normal = cross(edges[0], edges[1]);
     squared_normal = dot(normal, normal);
+  }
+
+  template <class Holds>
+  bool all_of(const Holds& holds) const {
+    return std::all_of(corners.begin(), corners.end(), holds);
+  }
+  // Whether it is at most in a side of the box of some points, or beyond it.
+  bool is_beside(const std::vector<Vector>& points) const {
+    for (std::size_t k = 0; k < 3; ++k) {
+      const auto [low, high] =
+          std::minmax_element(points.begin(), points.end(),
+                              [&](const Vector& a, const Vector& b) { return a[k] < b[k]; });
+      if (all_of([&](const Vector& x) { return x[k] <= (*low)[k]; })) return true;
+      if (all_of([&](const Vector& x) { return x[k] >= (*high)[k]; })) return true;
+    }
+    return false;
   }
 
   // Whether x is within the root of `squared`: above the triangle that is the distance of the
@@ -79,6 +99,12 @@ struct Cube {
   }
   // How far its corners reach along a direction from its center.
   Rational width(const Vector& n) const { return half * (abs(n[0]) + abs(n[1]) + abs(n[2])); }
+  bool is_inside(const Vector& x) const {
+    for (std::size_t i = 0; i < 3; ++i) {
+      if (abs(Rational(x[i] - center[i])) >= half) return false;
+    }
+    return true;
+  }
   bool touches(const Cube& other) const {
     for (std::size_t i = 0; i < 3; ++i) {
       if (abs(Rational(center[i] - other.center[i])) > half + other.half) return false;
@@ -121,15 +147,81 @@ struct Cube {
 struct PlacedPart {
   std::vector<Row> planes;
   std::vector<Vector> corners;
+
+  bool is_inside(const Vector& x) const {
+    return !planes.empty() && std::all_of(planes.begin(), planes.end(),
+                                          [&](const Row& plane) { return value(plane, x) < 0; });
+  }
+  // Each point x of it moves to x + share (middle - x).
+  void shrink(const Vector& middle, const Rational& share) {
+    for (Row& plane : planes) {
+      plane = scaled({plane[0], plane[1], plane[2], plane[3] - share * value(plane, middle)});
+    }
+    for (Vector& x : corners) {
+      for (std::size_t k = 0; k < 3; ++k) x[k] += share * (middle[k] - x[k]);
+    }
+  }
+  // Whether a plane, or the box of the corners, shows that a triangle does not meet its interior.
+  bool is_beside(const PlacedTriangle& t) const {
+    return std::any_of(planes.begin(), planes.end(),
+                       [&](const Row& plane) {
+                         return t.all_of([&](const Vector& x) { return value(plane, x) >= 0; });
+                       }) ||
+           t.is_beside(corners);
+  }
 };
 
-// How often the surface winds about a point beside x along a direction u: the triangles above it,
-// counted by the way they face. Farther on the point is moved by little along x, by far less along
-// y, and by still less along z. For a point off the surface u may be 0.
-inline long winding_beside(const std::vector<PlacedTriangle>& triangles, const Vector& x,
-                           const Vector& u) {
-  long sum = 0;
-  for (const PlacedTriangle& t : triangles) {
+inline std::vector<PlacedTriangle> placed(const std::vector<Row>& points,
+                                          const std::vector<std::array<std::size_t, 3>>& corners) {
+  std::vector<PlacedTriangle> triangles;
+  for (const auto& [a, b, c] : corners) {
+    triangles.emplace_back(
+        std::array<Vector, 3>{vector_of(points[a]), vector_of(points[b]), vector_of(points[c])});
+  }
+  return triangles;
+}
+
+// How often a surface winds about points.
+class WindingNumbers {
+ public:
+  // Walls across x divide space into slabs: only triangles of its slab can be above a point.
+  explicit WindingNumbers(std::vector<PlacedTriangle> triangles)
+      : triangles_(std::move(triangles)) {
+    std::vector<Rational> lows;
+    for (const PlacedTriangle& t : triangles_) lows.push_back(range(t).first);
+    std::sort(lows.begin(), lows.end());
+    for (std::size_t k = 1; k < kSlabs; ++k) {
+      if (!lows.empty()) walls_.push_back(lows[k * lows.size() / kSlabs]);
+    }
+    slabs_.resize(kSlabs);
+    for (std::size_t t = 0; t < triangles_.size(); ++t) {
+      const auto [low, high] = range(triangles_[t]);
+      for (std::size_t k = slab(low); k <= slab(high); ++k) slabs_[k].push_back(t);
+    }
+  }
+  const std::vector<PlacedTriangle>& triangles() const { return triangles_; }
+
+  // About a point beside x along a direction u: the triangles above it, counted by the way they
+  // face. Farther on the point is moved by little along x, by far less along y, and by still less
+  // along z. For a point off the surface u may be 0.
+  long beside(const Vector& x, const Vector& u) const {
+    long sum = 0;
+    for (const std::size_t t : slabs_[slab(x[0])]) sum += count(triangles_[t], x, u);
+    return sum;
+  }
+
+ private:
+  static constexpr std::size_t kSlabs = 64;
+
+  static std::pair<Rational, Rational> range(const PlacedTriangle& t) {
+    const auto& [a, b, c] = t.corners;
+    return {std::min({a[0], b[0], c[0]}), std::max({a[0], b[0], c[0]})};
+  }
+  std::size_t slab(const Rational& x) const {
+    return std::upper_bound(walls_.begin(), walls_.end(), x) - walls_.begin();
+  }
+  // 1 or -1 for a triangle above the point, by the way it faces; else 0.
+  static int count(const PlacedTriangle& t, const Vector& x, const Vector& u) {
     const int up = sgn(t.normal[2]);
     bool is_over = up != 0;
     for (std::size_t k = 0; k < 3 && is_over; ++k) {
@@ -140,41 +232,39 @@ inline long winding_beside(const std::vector<PlacedTriangle>& triangles, const V
       if (side == 0) side = sgn(e[0]);
       is_over = side == up;
     }
-    if (!is_over) continue;
+    if (!is_over) return 0;
     // Below its plane, seen along z.
     int above = sgn(dot(t.normal, x - t.corners[0]));
     if (above == 0) above = sgn(dot(t.normal, u));
     for (std::size_t k = 0; k < 3 && above == 0; ++k) above = sgn(t.normal[k]);
-    if (above == -up) sum += up;
+    return above == -up ? up : 0;
   }
-  return sum;
-}
+
+  std::vector<PlacedTriangle> triangles_;
+  std::vector<Rational> walls_;  // ascending
+  std::vector<Ids> slabs_;       // before the first wall, between two, and from the last on
+};
 
 class ReachProof {
  public:
   ReachProof(Words& words, const std::vector<Row>& points,
              const std::vector<std::array<std::size_t, 3>>& triangles)
-      : words_(words) {
-    for (const auto& [a, b, c] : triangles) {
-      triangles_.emplace_back(
-          std::array<Vector, 3>{vector_of(points[a]), vector_of(points[b]), vector_of(points[c])});
-    }
-    is_closed_ = is_closed(triangles);
-  }
+      : words_(words), winding_(placed(points, triangles)), is_closed_(is_closed(triangles)) {}
 
-  // (11) to (13), after the word `reach` and the distance. Returns the number of cells.
-  std::size_t check(const Rational& squared, const std::vector<PlacedPart>& parts) {
+  // (11) to (13), (18) and (19), after the word `reach` and the distance. Returns the number of
+  // cells.
+  std::size_t check(const Rational& squared, std::vector<PlacedPart> parts) {
     squared_ = squared;
+    parts_ = std::move(parts);
     expect(words_.take_if("root"), "root");
-    Cube root;
-    for (Rational& x : root.center) x = words_.rational();
-    root.half = words_.rational();
+    Cube root{read_vector(), words_.rational()};
     require(root.half > 0, "the root has no size");
+    read_inner();
     Ids all(triangles_.size());
     for (std::size_t t = 0; t < all.size(); ++t) all[t] = t;
     read_cell(root, all, 0);
-    while (words_.take_if("beyond")) read_beyond(parts.size());
-    for (std::size_t p = 0; p < parts.size(); ++p) check_part(p, parts[p]);
+    while (words_.take_if("beyond")) read_beyond();
+    for (std::size_t p = 0; p < parts_.size(); ++p) check_part(p);
     return cells_.size();
   }
   bool has_inside() const { return is_closed_; }
@@ -200,22 +290,53 @@ class ReachProof {
   };
   static constexpr int kDeepest = 1100;  // halvings of a double
 
+  Vector read_vector() {
+    Vector v;
+    for (Rational& x : v) x = words_.rational();
+    return v;
+  }
+
+  // (18) Parts are replaced by smaller ones. Their points moved by at most slack T, so it is enough
+  // that the smaller parts are within (1 - slack) T.
+  void read_inner() {
+    if (!words_.take_if("slack")) return;
+    const Rational slack = words_.rational();
+    expect(slack >= 0 && slack < 1, "a share below 1");
+    const Rational squared_move = slack * slack * squared_;
+    squared_ *= (1 - slack) * (1 - slack);
+    std::set<std::size_t> seen;
+    while (words_.take_if("inner")) {
+      const std::size_t p = words_.id(parts_.size());
+      const Vector middle = read_vector();
+      const Rational share = words_.rational();
+      require(seen.insert(p).second, "a part is made smaller twice");
+      require(share >= 0 && share < 1 && parts_[p].is_inside(middle),
+              "a part is not made smaller towards a point inside of it");
+      for (const Vector& x : parts_[p].corners) {
+        require(share * share * dot(x - middle, x - middle) <= squared_move,
+                "a part is made smaller by too much");
+      }
+      parts_[p].shrink(middle, share);
+    }
+  }
+
   // (11) The cells in preorder. `near` has the triangles whose boxes meet this one.
   void read_cell(const Cube& cube, const Ids& near, int depth) {
     expect(words_.take_if("cell"), "cell");
     const std::size_t number = cells_.size();
     const std::string kind = words_.take();
     expect(is_one_of(kind, {"split", "near", "inside", "open"}), "split, near, inside or open");
-    cells_.push_back({cube, Kind::Open});
+    cells_.push_back({cube, kind == "split" ? Kind::Split : Kind::Open});
     if (kind == "near") {
       require_near(cube, words_.id(triangles_.size()));
       cells_[number].kind = Kind::Near;
     } else if (kind == "inside") {
       require_inside(cube, near);
       cells_[number].kind = Kind::Inside;
-    } else if (kind == "split") {
+    }
+    while (words_.take_if("clear")) read_clear(cube, near, number);
+    if (kind == "split") {
       expect(depth < kDeepest, "fewer halvings");
-      cells_[number].kind = Kind::Split;
       for (int k = 0; k < 8; ++k) {
         Cube child{cube.center, Rational(cube.half / 2)};
         child.center = child.corner(k);
@@ -248,29 +369,45 @@ class ReachProof {
       require(beside.kind == Kind::Inside && beside.cube.touches(cube),
               "a cell does not touch one of the inside");
     } else {
-      require(winding_beside(triangles_, cube.center, {}) != 0, "a cell is outside");
+      require(winding_.beside(cube.center, {}) != 0, "a cell is outside");
     }
   }
 
-  void read_beyond(std::size_t parts) {
-    const std::size_t cell = words_.id(cells_.size()), part = words_.id(parts);
-    Vector direction;
-    for (Rational& x : direction) x = words_.rational();
+  // (19) No triangle meets the interior of what a part and the cell have in common, so the surface
+  // winds about all of it as often as about a point inside.
+  void read_clear(const Cube& cube, const Ids& near, std::size_t cell) {
+    const std::size_t p = words_.id(parts_.size());
+    const Vector x = read_vector();
+    const std::vector<Vector> ends{cube.corner(0), cube.corner(7)};
+    require(is_closed_, "the surface is not closed: nothing is clear");
+    require(cube.is_inside(x) && parts_[p].is_inside(x), "a point is not inside of part and cell");
+    for (const std::size_t t : near) {
+      require(triangles_[t].is_beside(ends) || parts_[p].is_beside(triangles_[t]),
+              "a triangle runs through what a part has in a cell");
+    }
+    require(winding_.beside(x, {}) != 0, "what a part has in a cell is outside");
+    require(clear_.emplace(cell, p).second, "a cell is clear of a part already");
+  }
+
+  void read_beyond() {
+    const std::size_t cell = words_.id(cells_.size()), part = words_.id(parts_.size());
+    const Vector direction = read_vector();
     require(beyond_.emplace(std::pair(cell, part), direction).second,
             "a cell is beyond a part already");
   }
 
-  // (13) Each cell of the tree that the part may meet is near or inside. What lies in the root lies
-  // in its cells.
-  void check_part(std::size_t p, const PlacedPart& part) const {
+  // (13) Each cell of the tree that the part may meet is near or inside, or clear. What lies in the
+  // root lies in its cells.
+  void check_part(std::size_t p) const {
+    const PlacedPart& part = parts_[p];
     const Cube& root = cells_[0].cube;
     for (const Vector& x : part.corners) {
       require(Cube{x, 0}.touches(root), "a part reaches out of the root");
     }
     for (std::size_t c = 0; c < cells_.size();) {
       const Cell& cell = cells_[c];
-      if (cell.kind == Kind::Near || cell.kind == Kind::Inside ||
-          is_beyond(cell.cube, c, p, part)) {
+      if (cell.kind == Kind::Near || cell.kind == Kind::Inside || clear_.count({c, p}) == 1 ||
+          is_beyond(cell.cube, c, p)) {
         c = cell.end;
         continue;
       }
@@ -279,24 +416,29 @@ class ReachProof {
     }
   }
 
-  bool is_beyond(const Cube& cube, std::size_t c, std::size_t p, const PlacedPart& part) const {
-    for (const Row& plane : part.planes) {
-      const Vector n{plane[0], plane[1], plane[2]};
-      if (dot(n, cube.center) + plane[3] > cube.width(n)) return true;
+  bool is_beyond(const Cube& cube, std::size_t c, std::size_t p) const {
+    for (const Row& plane : parts_[p].planes) {
+      if (value(plane, cube.center) > cube.width({plane[0], plane[1], plane[2]})) {
+        return true;
+      }
     }
     const auto found = beyond_.find({c, p});
     if (found == beyond_.end()) return false;
     const Vector& n = found->second;
     const Rational least = dot(n, cube.center) - cube.width(n);
-    return std::all_of(part.corners.begin(), part.corners.end(),
+    const std::vector<Vector>& corners = parts_[p].corners;
+    return std::all_of(corners.begin(), corners.end(),
                        [&](const Vector& x) { return dot(n, x) < least; });
   }
 
   Words& words_;
-  std::vector<PlacedTriangle> triangles_;
-  bool is_closed_ = false;
+  WindingNumbers winding_;
+  const std::vector<PlacedTriangle>& triangles_ = winding_.triangles();
+  bool is_closed_;
   Rational squared_;
+  std::vector<PlacedPart> parts_;
   std::vector<Cell> cells_;
+  std::set<std::pair<std::size_t, std::size_t>> clear_;           // cell and part
   std::map<std::pair<std::size_t, std::size_t>, Vector> beyond_;  // by cell and part
 };
 

@@ -123,7 +123,8 @@ class SurfaceProof {
     return planes;
   }
 
-  // (11) to (13) No point of a part is farther from the surface, or what it winds about, than that.
+  // (11) to (13), (18) and (19) No point of a part is farther from the surface, or what it winds
+  // about, than that.
   std::string read_reach(const std::vector<PlacedPart>& parts) {
     if (!words_.take_if("reach")) return "";
     const bool is_share = words_.take_if("share");

@@ -74,7 +74,14 @@ void add_files_of_one(FilesOfParts& out, const DecomposedObject& object,
     out.files.emplace_back(files.trace, write_decompose_trace(object.result, object.request));
   }
   if (!files.proof.empty()) {
-    out.files.emplace_back(files.proof, write_decomposition_proof(object.result, object.request));
+    std::string proof = write_decomposition_proof(object.result, object.request);
+    const auto& reach = object.result.reach;
+    if (reach && reach->farther.empty() && !claims_reach(proof)) {
+      out.notes.push_back(files.proof +
+                          " does not claim the distance: this run proves it, but cells alone do "
+                          "not, or too many of them; with a larger --distance they do");
+    }
+    out.files.emplace_back(files.proof, std::move(proof));
   }
   Picture picture;
   if (!files.picture.empty()) {

@@ -115,7 +115,7 @@ bool NearTriangles::misses(std::span<const Point> hull) const {
   box.low.array() -= kMargin;
   box.high.array() += kMargin;
   std::vector<Point> differences(3 * hull.size());
-  return all_meeting(box, [&](const std::array<Point, 3>& triangle) {
+  return all_meeting(box, [&](std::uint32_t, const std::array<Point, 3>& triangle) {
     std::size_t next = 0;
     for (const Point& y : triangle) {
       for (const Point& x : hull) differences[next++] = x - y;

@@ -41,8 +41,8 @@ class NearTriangles {
     return {points_[a], points_[b], points_[c]};
   }
 
-  /// Whether `holds` is true of the corners of all triangles whose boxes meet a box; it is asked
-  /// until it is false once.
+  /// Whether `holds` is true of all triangles, and their corners, whose boxes meet a box; it is
+  /// asked until it is false once.
   template <class Holds>
   bool all_meeting(const NearBox& box, const Holds& holds) const;
 
@@ -77,7 +77,7 @@ bool NearTriangles::all_meeting(const NearBox& box, const Holds& holds) const {
       const std::array<Point, 3> triangle = corners(order_[k]);
       NearBox around;
       for (const Point& y : triangle) around.include(y);
-      if (box.meets(around) && !holds(triangle)) return false;
+      if (box.meets(around) && !holds(order_[k], triangle)) return false;
     }
   }
   return true;

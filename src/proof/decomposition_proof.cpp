@@ -410,4 +410,6 @@ std::string write_decomposition_proof(const Decomposition& made, const Decompose
   return DecompositionWriter(made, request).write();
 }
 
+bool claims_reach(const std::string& proof) { return proof.find("\nreach ") != std::string::npos; }
+
 }  // namespace convexact

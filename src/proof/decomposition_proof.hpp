@@ -19,4 +19,8 @@ namespace convexact {
 [[nodiscard]] std::string write_decomposition_proof(const Decomposition& made,
                                                     const DecomposeRequest& request);
 
+/// Whether a proof claims how far the parts reach: not if cells alone do not prove that, or not
+/// without more of them than are kept.
+[[nodiscard]] bool claims_reach(const std::string& proof);
+
 }  // namespace convexact

@@ -118,6 +118,24 @@ std::optional<ReachCertificate> certificate_of(ReachLimit& limit,
   }
 }
 
+void write_cells(const ReachCertificate& certificate, ProofLines& out) {
+  out.line("root", certificate.center, certificate.half_width);
+  if (!certificate.inner.empty()) out.line("slack", certificate.slack);
+  for (const auto& [part, middle, share] : certificate.inner) {
+    out.line("inner", part, middle, share);
+  }
+  auto clear = certificate.clear.begin();
+  for (std::size_t c = 0; c < certificate.cells.size(); ++c) {
+    out.line("cell", kind_text(certificate.cells[c]));
+    for (; clear != certificate.clear.end() && clear->cell == c; ++clear) {
+      out.line("clear", clear->part, clear->point);
+    }
+  }
+  for (const auto& [cell, part, direction] : certificate.apart) {
+    out.line("beyond", cell, part, direction);
+  }
+}
+
 }  // namespace
 
 void write_reach(const Decomposition& made, const DecomposeRequest& request, ProofLines& out) {
@@ -136,11 +154,7 @@ void write_reach(const Decomposition& made, const DecomposeRequest& request, Pro
   if (!certificate) return;
   const ConcavityLimit distance = request.distance.value_or(kDefaultDistance);
   out.line("reach", distance.is_share ? "share" : "length", distance.value);
-  out.line("root", certificate->center, certificate->half_width);
-  for (const ReachCertificate::Cell& cell : certificate->cells) out.line("cell", kind_text(cell));
-  for (const auto& [cell, part, direction] : certificate->apart) {
-    out.line("beyond", cell, part, direction);
-  }
+  write_cells(*certificate, out);
 }
 
 std::string write_partition_proof(const Decomposition& made, const DecomposeRequest& request) {

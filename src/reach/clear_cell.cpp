@@ -3,13 +3,13 @@
 
 #include <algorithm>
 
+#include "number/arithmetic.hpp"
+
 namespace convexact {
 namespace {
 
 // With more planes, asking all of them for each triangle costs more than smaller cells.
 constexpr std::size_t kMostPlanes = 64;
-// Triangles may lie in the walls of a cell, and reach in so far: a wall may be in a face.
-constexpr double kInset = 2 * kReachError;
 
 // From y to the middle of the part, by a quarter of the cell's half width.
 Point inner_point(const NearPart& part, const CellPlace& place, const Point& y) {
@@ -18,38 +18,67 @@ Point inner_point(const NearPart& part, const CellPlace& place, const Point& y) 
   return far <= step ? part.middle() : Point(y + to_middle * (step / far));
 }
 
-// Whether each triangle that may meet what the part has in the cell is beyond one of its planes.
-// The planes of a NearSolid hold a little more than its vertices, so c need not be in their box.
+// Whether a triangle touches a cell at a wall at most, from outside. Walls may lie in faces, so
+// where doubles leave it open the numbers are exact.
+bool is_behind_wall(const ReachCells& cells, const CellPlace& place, std::uint32_t triangle) {
+  const std::array<Point, 3> near = cells.triangles().corners(triangle);
+  for (int axis = 0; axis < 3; ++axis) {
+    for (const int side : {-1, 1}) {
+      const auto may_be_behind = [&](const Point& v) {
+        return side * (v[axis] - place.center[axis]) > place.half - kReachError;
+      };
+      if (!std::all_of(near.begin(), near.end(), may_be_behind)) continue;
+      const Rational wall =
+          cells.frame().point(place.center)[axis] + side * cells.frame().length(place.half);
+      const auto& corners = cells.surface().triangles[triangle];
+      if (std::all_of(corners.begin(), corners.end(), [&](PointId p) {
+            const Rational x = cells.surface().points[p][axis];
+            return side < 0 ? x <= wall : x >= wall;
+          })) {
+        return true;
+      }
+    }
+  }
+  return false;
+}
+
+// Whether each triangle that may meet what the part has in the cell is beyond one of its planes, or
+// behind a wall. The planes of a NearSolid hold a little more than its vertices, so c need not be
+// in their box.
 bool has_no_triangle(const ReachCells& cells, const NearPart& part, const MetCell& met,
                      const Point& c) {
   NearBox box = part.box();
   box.include(c);
   box.low.array() -= kReachError;
   box.high.array() += kReachError;
-  const Point wide = Point::Constant(met.place.half - kInset);
+  const Point wide = Point::Constant(met.place.half + kReachError);
   box.low = box.low.cwiseMax(met.place.center - wide);
   box.high = box.high.cwiseMin(met.place.center + wide);
-  const auto is_beyond = [&](const std::array<Point, 3>& triangle) {
-    return std::any_of(met.planes.begin(), met.planes.end(), [&](std::uint32_t k) {
-      return std::all_of(triangle.begin(), triangle.end(),
-                         [&](const Point& v) { return part.beyond(k, v) > 2 * kReachError; });
-    });
+  const auto is_beside = [&](std::uint32_t t, const std::array<Point, 3>& triangle) {
+    return std::any_of(met.planes.begin(), met.planes.end(),
+                       [&](std::uint32_t k) {
+                         return std::all_of(triangle.begin(), triangle.end(), [&](const Point& v) {
+                           return part.beyond(k, v) > 2 * kReachError;
+                         });
+                       }) ||
+           is_behind_wall(cells, met.place, t);
   };
   // The nearest one is the likeliest to run through.
-  const std::array<Point, 3> nearest = cells.triangles().corners(cells.triangle(met.place.cell));
+  const std::uint32_t nearest = cells.triangle(met.place.cell);
+  const std::array<Point, 3> corners = cells.triangles().corners(nearest);
   NearBox around;
-  for (const Point& v : nearest) around.include(v);
-  if (box.meets(around) && !is_beyond(nearest)) return false;
-  return cells.triangles().all_meeting(box, is_beyond);
+  for (const Point& v : corners) around.include(v);
+  if (box.meets(around) && !is_beside(nearest, corners)) return false;
+  return cells.triangles().all_meeting(box, is_beside);
 }
 
 }  // namespace
 
 // With s = depth / r, r being how far all planes are from the middle m, each point x moves to
-// x + s (m - x), and each plane by about `depth`. Labels of cells are about a distance that is
-// smaller than T by kReachSlack, more than any point moves. What is so thin that s would be large
-// stays as it is.
-std::optional<NearPart> inner_part(const ReachCells& cells, const NearPart& part) {
+// x + s (m - x), and each plane by about `depth`; s is rounded up to a power of two. Labels of
+// cells are about a distance that is smaller than T by kReachSlack, more than any point moves. What
+// is so thin that s would be large stays as it is.
+std::optional<InnerPart> inner_part(const ReachCells& cells, const NearPart& part) {
   constexpr double kDepth = 4 * kReachError;
   if (part.planes() == 0) return {};
   const Point middle = part.middle();
@@ -59,24 +88,23 @@ std::optional<NearPart> inner_part(const ReachCells& cells, const NearPart& part
   }
   for (const Point& v : part.vertices()) far = std::max(far, (v - middle).norm());
   if (!(inside > 2 * kDepth + kReachError)) return {};
-  const double share = kDepth / (inside - kReachError);
-  if (share * far > cells.limit_down() * (kReachSlack / 2)) return {};
-  return part.towards(middle, share);
+  const double share = std::exp2(std::ceil(std::log2(kDepth / (inside - kReachError))));
+  if (share * far > cells.limit_down() * (kInnerSlack / 2)) return {};
+  return InnerPart{part.towards(middle, share), middle, share};
 }
 
-// What the planes of the part, its box with a point c and a cell that is smaller by kInset have in
-// common is convex, so if no triangle meets it, the surface winds about all of it as about c. The
-// rest is near it: if c is at least h / 8 from the walls of the cell of half width h, a point x
-// there moves into the smaller cell with x + s (c - x), s = 8 kInset / h, by less than 2^5 kInset.
-bool is_clear_inside(const ReachCells& cells, const NearPart& part, const MetCell& met,
-                     const Point& y) {
-  if (!cells.has_inside() || part.planes() == 0 || met.planes.size() > kMostPlanes) return false;
+// What the planes of the part, its box with a point c and the cell have in common is convex, so if
+// no triangle meets its interior, the surface winds about all of that as about c.
+std::optional<Point> clear_point(const ReachCells& cells, const NearPart& part, const MetCell& met,
+                                 const Point& y) {
+  if (!cells.has_inside() || part.planes() == 0 || met.planes.size() > kMostPlanes) return {};
   const CellPlace& place = met.place;
-  if (place.half < cells.limit_up()) return false;  // labels say so as quickly
+  if (place.half < cells.limit_up()) return {};  // labels say so as quickly
   const Point c = inner_point(part, place, y);
-  return (c - place.center).lpNorm<Eigen::Infinity>() <= place.half * 0.875 &&
-         32 * kInset <= cells.limit_down() * (kReachSlack / 2) && part.holds(met.planes, c) &&
-         has_no_triangle(cells, part, met, c) && !cells.is_outside(c);
+  const bool is_clear = (c - place.center).lpNorm<Eigen::Infinity>() <= place.half * 0.875 &&
+                        part.holds(met.planes, c) && has_no_triangle(cells, part, met, c) &&
+                        !cells.is_outside(c);
+  return is_clear ? std::optional(c) : std::nullopt;
 }
 
 }  // namespace convexact

@@ -12,13 +12,23 @@ namespace convexact {
 /// A part, smaller by so little that it is within T of the solid if the smaller one is in cells
 /// that are fine. Facets that lie in faces of the solid, or in walls of cells, do not touch them
 /// any more: otherwise cells along them would have to be as small as T.
-/// @return Nothing if the part has no planes, or is so thin that points would move too far.
-[[nodiscard]] std::optional<NearPart> inner_part(const ReachCells& cells, const NearPart& part);
+struct InnerPart {
+  NearPart part;
+  Point middle;  ///< To which each point x of the part moved, by share (middle - x).
+  double share;
+};
 
-/// Whether it is certain that all points that a part and a cell have in common are inside of the
-/// solid, as no triangle runs through them and the surface winds about one of them.
+/// The share of T by which no point of an InnerPart moves farther; cells that are said to be near
+/// are so by more than that.
+inline constexpr double kInnerSlack = kReachSlack / 2;
+
+/// @return Nothing if the part has no planes, or is so thin that points would move too far.
+[[nodiscard]] std::optional<InnerPart> inner_part(const ReachCells& cells, const NearPart& part);
+
+/// A point inside of what a part and a cell have in common, if it is certain that all of that is
+/// inside of the solid: no triangle runs through it, and the surface winds about the point.
 /// @param y  A point of the part, up to rounding; the nearer to the center of the cell the better.
-[[nodiscard]] bool is_clear_inside(const ReachCells& cells, const NearPart& part,
-                                   const MetCell& met, const Point& y);
+[[nodiscard]] std::optional<Point> clear_point(const ReachCells& cells, const NearPart& part,
+                                               const MetCell& met, const Point& y);
 
 }  // namespace convexact

@@ -3,7 +3,7 @@
 #include <map>
 
 #include "convexact/reach.hpp"
-#include "reach/met_cell.hpp"
+#include "reach/clear_cell.hpp"
 #include "reach/reach_search.hpp"
 
 namespace convexact {
@@ -13,13 +13,8 @@ class CertificateWriter {
  public:
   CertificateWriter(ReachCells& cells, std::span<const ConvexPart* const> parts, const Watch& watch)
       : cells_(cells), watch_(watch) {
-    for (const ConvexPart* part : parts) {
-      near_.emplace_back(*part, cells.frame());
-      // A flat part has no facets to name: directions alone show that it is elsewhere.
-      if (!part->solid) {
-        near_.back() = NearPart({near_.back().vertices().begin(), near_.back().vertices().end()});
-      }
-    }
+    made_.slack = to_rational(kInnerSlack);
+    for (const ConvexPart* part : parts) near_.push_back(placed(*part));
   }
 
   ReachCertificate write() {
@@ -46,6 +41,18 @@ class CertificateWriter {
     MetCell cell;
   };
 
+  // The part as the proof has it.
+  NearPart placed(const ConvexPart& part) {
+    NearPart near(part, cells_.frame());
+    // A flat part has no facets to name: directions alone show that it is elsewhere.
+    if (!part.solid) return NearPart({near.vertices().begin(), near.vertices().end()});
+    std::optional<InnerPart> inner = inner_part(cells_, near);
+    if (!inner) return near;
+    made_.inner.push_back(
+        {near_.size(), cells_.frame().point(inner->middle), to_rational(inner->share)});
+    return std::move(inner->part);
+  }
+
   // Adds a cell and those below it; `met` are the parts that planes do not separate from it.
   void add(const CellPlace& place, const std::vector<MetPart>& met) {
     watch_.ask();
@@ -63,11 +70,11 @@ class CertificateWriter {
       default:
         break;
     }
-    std::vector<const MetPart*> inner;
+    std::vector<const MetPart*> open;
     for (const MetPart& part : met) {
-      if (!is_apart(place, part, number)) inner.push_back(&part);
+      if (!settles(part, number)) open.push_back(&part);
     }
-    if (inner.empty()) return;
+    if (open.empty()) return;
     if (place.half <= cells_.least_half() ||
         (cells_.is_full() && !cells_.has_children(place.cell))) {
       throw Error(
@@ -79,19 +86,29 @@ class CertificateWriter {
     MetCell half;
     for (const CellPlace& at : cells_.children(place)) {
       std::vector<MetPart> below;
-      for (const MetPart* part : inner) {
+      for (const MetPart* part : open) {
         if (part->cell.may_meet(near_[part->part], at, half)) below.push_back({part->part, half});
       }
       add(at, below);
     }
   }
 
-  bool is_apart(const CellPlace& place, const MetPart& part, std::size_t number) {
-    const NearHull hull =
-        near_hull(near_[part.part].vertices(), place.center, place.radius() + kReachError);
-    if (widened(hull.bounds, place.center).low <= place.radius()) return false;
-    made_.apart.push_back({number, part.part, -hull.towards});
-    return true;
+  // Whether the part is elsewhere, or all that it has in the cell is inside of the solid.
+  bool settles(const MetPart& met, std::size_t number) {
+    const NearPart& part = near_[met.part];
+    const CellPlace& place = met.cell.place;
+    Point y = place.center;
+    if (!part.holds(met.cell.planes, y)) {
+      const NearHull hull = near_hull(part.vertices(), y, place.radius() + kReachError);
+      if (widened(hull.bounds, y).low > place.radius()) {
+        made_.apart.push_back({number, met.part, -hull.towards});
+        return true;
+      }
+      y += hull.nearest;
+    }
+    const std::optional<Point> clear = clear_point(cells_, part, met.cell, y);
+    if (clear) made_.clear.push_back({number, met.part, cells_.frame().point(*clear)});
+    return clear.has_value();
   }
 
   // An earlier cell of the inside that has a side, or a piece of it, in common with this one.

@@ -72,7 +72,7 @@ class CellWalk {
       }
     }
     if (is_beyond_) return Below::Stop;
-    if (is_clear_inside(cells_, near_, met, y)) return Below::Skip;
+    if (clear_point(cells_, near_, met, y)) return Below::Skip;
     const bool is_least = place.half <= least_half() || is_full(place);
     if (decides(met, is_least)) return is_beyond_ ? Below::Stop : Below::Skip;
     if (!is_least) return Below::Visit;
@@ -283,7 +283,7 @@ class FarthestWalk {
       if (widened(hull.bounds, place.center).low > place.radius()) return Below::Skip;
       y = place.center + hull.nearest;
     }
-    if (is_clear_inside(cells_, near_, met, y)) return Below::Skip;
+    if (clear_point(cells_, near_, met, y)) return Below::Skip;
     if (place.half <= cells_.limit_up() * kFine) return Below::Skip;
     const bool is_full = cells_.is_full() && !cells_.has_children(place.cell);
     return is_full ? Below::Skip : Below::Visit;
@@ -308,8 +308,8 @@ NearPart in_frame(const ReachCells& cells, NearPart part) {
 // The same for a walk by cells alone.
 NearPart inner_in_frame(const ReachCells& cells, NearPart part) {
   NearPart whole = in_frame(cells, std::move(part));
-  std::optional<NearPart> inner = inner_part(cells, whole);
-  return inner ? std::move(*inner) : std::move(whole);
+  std::optional<InnerPart> inner = inner_part(cells, whole);
+  return inner ? std::move(inner->part) : std::move(whole);
 }
 
 NearFrame frame_for(const Surface& surface, std::span<const BoundingBox> boxes) {
@@ -339,8 +339,8 @@ PartReach ReachLimit::operator()(const ConvexPart& part, const Watch& watch) {
   cells.make_room();
   const Rational& squared = search_->squared_limit;
   const NearPart near = in_frame(cells, NearPart(part, cells.frame()));
-  if (const std::optional<NearPart> inner = inner_part(cells, near)) {
-    if (auto answer = PartWalk(cells, *inner, part, squared, watch).answer_of_cells()) {
+  if (const std::optional<InnerPart> inner = inner_part(cells, near)) {
+    if (auto answer = PartWalk(cells, inner->part, part, squared, watch).answer_of_cells()) {
       return std::move(*answer);
     }
   }

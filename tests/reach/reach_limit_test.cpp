@@ -374,16 +374,16 @@ TEST_CASE("reach: what a part has in a clear cell is near, in exact numbers" * s
     if (!part.solid) continue;
     const BoundingBox boxes[] = {bounding_box(at.surface.points), part.box};
     ReachCells octree(at.surface, &*at.winding, frame_around(boxes), squared);
-    const std::optional<NearPart> inner = inner_part(octree, NearPart(part, octree.frame()));
+    const std::optional<InnerPart> inner = inner_part(octree, NearPart(part, octree.frame()));
     REQUIRE(inner);
-    const NearPart& near = *inner;
+    const NearPart& near = inner->part;
     std::vector<MetCell> open{{octree.root(), {}}};
     for (std::uint32_t k = 0; k < near.planes(); ++k) open.front().planes.push_back(k);
     (void)octree.label(open.front().place);
     for (std::size_t k = 0; k < open.size() && k < 300; ++k) {
       const MetCell met = open[k];
       const NearHull hull = near_hull(near.vertices(), met.place.center);
-      if (is_clear_inside(octree, near, met, met.place.center + hull.nearest)) {
+      if (clear_point(octree, near, met, met.place.center + hull.nearest)) {
         ++clear;
         // A convex piece that no triangle runs through is near if its corners are.
         for (const RationalPoint& x : common_corners(part, met.place, octree.frame())) {
