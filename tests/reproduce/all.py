@@ -1,12 +1,13 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""Every figure of [Jacobson2026] with something to measure, one after another, as the page docs/reproduction.md.
+"""Every figure of [Jacobson2026] with something to measure, one after another, as the page
+docs/results/reproduction.md.
 
 Usage: all.py --convexact PROGRAM [--meshes FOLDER] [--json FOLDER] [--page FILE] [--again]
 
 Nothing on the page is typed but the sentences at its top: it is made of the records that the experiments write (--json,
 by default into build/reproduce). Their tables, the figures and the numbers of these go beside it, into
-results/reproduction/. An experiment whose record is there already is not run again, unless --again is given.
+reproduction/. An experiment whose record is there already is not run again, unless --again is given.
 """
 import argparse
 import json
@@ -26,7 +27,7 @@ HEAD = """# The figures of the paper, measured
 Made by `./dev reproduce all`. *The paper* is [Jacobson2026], *its program* is `pchs` 0.1.0 of the Python index, on the
 same doubles in the same run. Most of the paper's models are not at hand, so a number of other models is *as claimed*
 only within the interval that is named, *of the same order* within a wider one, and *differs* otherwise.
-[reproduce.md](reproduce.md) tells what each experiment does, and has figures 8 (`capsule`) and 16 (`icosahedron`).
+[reproduce.md](../reproduce.md) tells what each experiment does, and has figures 8 (`capsule`) and 16 (`icosahedron`).
 
 """
 FIGURES = (('violin.svg', 'corpus.csv', 'What is added to the volume of the hull: each violin is a method, its line the median.'),
@@ -35,7 +36,7 @@ FIGURES = (('violin.svg', 'corpus.csv', 'What is added to the volume of the hull
 OPEN = """## Open
 
 - `tlg` adds 13% here and 44% in the paper. Its program has no collapses, so the two cannot be run side by side. Ours
-  moves each plane inward until it touches the hull ([compare.md](compare.md)). Tried: without that move the hulls of its
+  moves each plane inward until it touches the hull ([compare.md](../compare.md)). Tried: without that move the hulls of its
   vertices have a median of 1.15 (spot 1.147, teapot 1.220, bunny 1.181, suzanne 1.140, cow 1.145, homer 1.150, fandisk
   1.070, rocker-arm 1.293), so the move is not the reason. Fewer vertices for the same planes, or other models, may be.
 - Dropping vertices keeps less than collapses onto ends in a few runs of `inner`; the paper prints no number, and its
@@ -69,15 +70,14 @@ def figures(options, target):
     lines = []
     for image, numbers, words in FIGURES:
         if (target / image).is_file():
-            place = f'results/{target.name}'
-            lines += [f'![{words}]({place}/{image})', '', f'{words} Its [numbers]({place}/{numbers}).', '']
+            lines += [f'![{words}]({target.name}/{image})', '', f'{words} Its [numbers]({target.name}/{numbers}).', '']
     return lines
 
 
 def claims(records):
     """One table of all claims, by experiment."""
     return table_lines(['experiment', *CLAIM_HEAD.values()],
-                       [[f'[{record["id"]}](results/reproduction/{record["id"]}.md)', *(claim[key] for key in CLAIM_HEAD)]
+                       [[f'[{record["id"]}](reproduction/{record["id"]}.md)', *(claim[key] for key in CLAIM_HEAD)]
                         for record in records for claim in record['claims']])
 
 
@@ -86,10 +86,10 @@ def main():
     parser.add_argument('--convexact', required=True)
     parser.add_argument('--meshes', type=pathlib.Path)
     parser.add_argument('--json', type=pathlib.Path, default=ROOT / 'build' / 'reproduce')
-    parser.add_argument('--page', type=pathlib.Path, default=ROOT / 'docs' / 'reproduction.md')
+    parser.add_argument('--page', type=pathlib.Path, default=ROOT / 'docs' / 'results' / 'reproduction.md')
     parser.add_argument('--again', action='store_true', help='run experiments whose records are there already')
     options = parser.parse_args()
-    target = options.page.parent / 'results' / 'reproduction'
+    target = options.page.parent / 'reproduction'
     target.mkdir(parents=True, exist_ok=True)
     records = [run(name, options) for name in IDS]
     for record in records:
@@ -101,7 +101,7 @@ def main():
     summary = f'{len(verdicts)} claims: ' + ', '.join(f'{count} {word}' for word, count in counts.items())
     summary += f', {len(verdicts) - sum(counts.values())} not comparable.'
     options.page.write_text('\n'.join([HEAD + summary, '', *figures(options, target), '## Claims', '', *claims(records), '', OPEN])
-                            + '\n[Jacobson2026]: references.md\n', encoding='utf-8')
+                            + '\n[Jacobson2026]: ../references.md\n', encoding='utf-8')
     print(summary)
     return 0
 

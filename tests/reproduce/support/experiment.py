@@ -3,7 +3,7 @@
 
 A record is one object: {"id", "figure", "command", "claims": [{"paper", "here", "pchs", "interval", "why", "verdict"}],
 "tables": [{"title", "head", "rows"}], "skipped": [...], "data": {...}}. It is printed as Markdown, written by --json, and
-docs/reproduction.md is made of it.
+docs/results/reproduction.md is made of it.
 """
 import argparse
 import json

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""Figures of docs/reproduction.md, each beside a file of its numbers, by matplotlib.
+"""Figures of docs/results/reproduction.md, each beside a file of its numbers, by matplotlib.
 
 Usage: figures.py RECORDS TARGET     (folders; run by the Python of the environment)
 
