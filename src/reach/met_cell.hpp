@@ -128,4 +128,20 @@ struct MetCell {
   }
 };
 
+/// A part as the center of a cell sees it.
+struct SeenPart {
+  bool has_center = false;  ///< Whether it is certain that the part holds the center.
+  bool is_apart = false;    ///< Or that it does not meet the ball around the cell.
+  NearHull hull;            ///< Unless it has the center: seen from there, as far as the ball.
+  Point nearest;            ///< A point of the part, up to rounding, about as near as any.
+};
+
+inline SeenPart seen_from(const MetCell& met, const NearPart& part) {
+  const CellPlace& place = met.place;
+  if (part.holds(met.planes, place.center)) return {true, false, {}, place.center};
+  const NearHull hull = near_hull(part.vertices(), place.center, place.radius() + kReachError);
+  return {false, widened(hull.bounds, place.center).low > place.radius(), hull,
+          place.center + hull.nearest};
+}
+
 }  // namespace convexact

@@ -53,7 +53,6 @@ class ReachCells {
   void make_room() {
     if (cells_.size() > most_ / 2) cells_ = std::vector<Cell>(1);
   }
-  bool is_full() const { return cells_.size() + 8 > most_; }
 
   /// Whether the cell is fine, and why. Open: it is not, or that is not certain.
   Label label(const CellPlace& place);
@@ -68,6 +67,10 @@ class ReachCells {
   /// The eight cells of half the size, without labels if they are new.
   std::array<CellPlace, 8> children(const CellPlace& place);
   bool has_children(std::uint32_t cell) const { return cells_[cell].first_child != 0; }
+  /// Whether it has them, or room is left for them.
+  bool may_have_children(std::uint32_t cell) const {
+    return has_children(cell) || cells_.size() + 8 <= most_;
+  }
 
   /// Whether the surface is closed, so that it may wind about a point.
   bool has_inside() const { return winding_ != nullptr; }

@@ -75,8 +75,7 @@ class CertificateWriter {
       if (!settles(part, number)) open.push_back(&part);
     }
     if (open.empty()) return;
-    if (place.half <= cells_.least_half() ||
-        (cells_.is_full() && !cells_.has_children(place.cell))) {
+    if (place.half <= cells_.least_half() || !cells_.may_have_children(place.cell)) {
       throw Error(
           ErrorCode::Unrepresentable,
           "cells alone do not prove how far a part reaches, or only more cells than a proof "
@@ -95,18 +94,12 @@ class CertificateWriter {
 
   // Whether the part is elsewhere, or all that it has in the cell is inside of the solid.
   bool settles(const MetPart& met, std::size_t number) {
-    const NearPart& part = near_[met.part];
-    const CellPlace& place = met.cell.place;
-    Point y = place.center;
-    if (!part.holds(met.cell.planes, y)) {
-      const NearHull hull = near_hull(part.vertices(), y, place.radius() + kReachError);
-      if (widened(hull.bounds, y).low > place.radius()) {
-        made_.apart.push_back({number, met.part, -hull.towards});
-        return true;
-      }
-      y += hull.nearest;
+    const SeenPart seen = seen_from(met.cell, near_[met.part]);
+    if (seen.is_apart) {
+      made_.apart.push_back({number, met.part, -seen.hull.towards});
+      return true;
     }
-    const std::optional<Point> clear = clear_point(cells_, part, met.cell, y);
+    const std::optional<Point> clear = clear_point(cells_, near_[met.part], met.cell, seen.nearest);
     if (clear) made_.clear.push_back({number, met.part, cells_.frame().point(*clear)});
     return clear.has_value();
   }

@@ -60,20 +60,17 @@ class CellWalk {
   Below visit(const MetCell& met) {
     watch_.ask();
     const CellPlace& place = met.place;
-    Point y = place.center;
-    if (near_.holds(met.planes, place.center)) {
+    const SeenPart part = seen_from(met, near_);
+    if (part.is_apart) return Below::Skip;
+    if (part.has_center) {
       refute(place, place.center, cells_.distance(place.cell));
-    } else {
-      const NearHull hull = near_hull(near_.vertices(), place.center, place.radius() + kReachError);
-      if (widened(hull.bounds, place.center).low > place.radius()) return Below::Skip;
-      y = place.center + hull.nearest;
-      if (cells_.distance(place.cell).high + hull.bounds.high > cells_.limit_up()) {
-        refute(place, y, cells_.triangles().nearest(y, cells_.triangle(place.cell)).distance);
-      }
+    } else if (cells_.distance(place.cell).high + part.hull.bounds.high > cells_.limit_up()) {
+      const Point& y = part.nearest;
+      refute(place, y, cells_.triangles().nearest(y, cells_.triangle(place.cell)).distance);
     }
     if (is_beyond_) return Below::Stop;
-    if (clear_point(cells_, near_, met, y)) return Below::Skip;
-    const bool is_least = place.half <= least_half() || is_full(place);
+    if (clear_point(cells_, near_, met, part.nearest)) return Below::Skip;
+    const bool is_least = place.half <= least_half() || !cells_.may_have_children(place.cell);
     if (decides(met, is_least)) return is_beyond_ ? Below::Stop : Below::Skip;
     if (!is_least) return Below::Visit;
     is_open_ = true;
@@ -82,10 +79,6 @@ class CellWalk {
     }
     open_high_ = std::max(open_high_, cells_.distance(place.cell).high + place.radius());
     return may_decide() ? Below::Skip : Below::Stop;
-  }
-
-  bool is_full(const CellPlace& place) const {
-    return cells_.is_full() && !cells_.has_children(place.cell);
   }
 
   // A point y of the part, up to rounding, that is about in the cell. Rounding moved it by less
@@ -273,20 +266,14 @@ class FarthestWalk {
     const NearBounds distance = cells_.distance(place.cell);
     const double best = best_ ? best_->distance * kSlack : cells_.limit_up();
     if (distance.high + place.radius() <= best) return Below::Skip;
-    Point y = place.center;
-    if (near_.holds(met.planes, place.center)) {
-      if (distance.low > best && cells_.is_outside(place)) {
-        best_ = FarPlace{place.center, distance.low};
-      }
-    } else {
-      const NearHull hull = near_hull(near_.vertices(), place.center, place.radius() + kReachError);
-      if (widened(hull.bounds, place.center).low > place.radius()) return Below::Skip;
-      y = place.center + hull.nearest;
+    const SeenPart part = seen_from(met, near_);
+    if (part.is_apart) return Below::Skip;
+    if (part.has_center && distance.low > best && cells_.is_outside(place)) {
+      best_ = FarPlace{place.center, distance.low};
     }
-    if (clear_point(cells_, near_, met, y)) return Below::Skip;
+    if (clear_point(cells_, near_, met, part.nearest)) return Below::Skip;
     if (place.half <= cells_.limit_up() * kFine) return Below::Skip;
-    const bool is_full = cells_.is_full() && !cells_.has_children(place.cell);
-    return is_full ? Below::Skip : Below::Visit;
+    return cells_.may_have_children(place.cell) ? Below::Visit : Below::Skip;
   }
 
   ReachCells& cells_;
