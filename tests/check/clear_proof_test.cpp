@@ -92,6 +92,13 @@ TEST_CASE("clear cells: a bar is inside of itself, with walls in its faces or ac
   }
 }
 
+TEST_CASE("clear cells: one is enough, if all triangles lie in the part's planes") {
+  const ProofText bar = bar_of(mesh_of_cells(kBar));
+  const Lines lines{words("reach length 1/1000"), words("root 3/2 1/2 1/2 2"), words("cell open"),
+                    words("clear 0 3/2 1/2 1/2")};
+  CHECK(check_proof(with_cells(bar, lines).text(true)).exit_code == 0);
+}
+
 TEST_CASE("clear cells: not where a gap is, whose walls lie in walls of cells or run through") {
   const ProofText bar = bar_of(mesh_of_cells(kTwoCubes));
   check_refused(with_cells(bar, unit_cells(0)), 1, "what a part has in a cell is outside");
