@@ -1,113 +1,46 @@
 // SPDX-License-Identifier: MIT
-// The measures of a hull of points, without its planes: coordinates are integers times a common
-// factor, and the normal of a facet is the sum of the cross products of its triangles.
-#include <cmath>
-#include <optional>
+// The measures of a hull of points, in integers and without its planes.
+#include <algorithm>
+#include <bit>
 #include <vector>
 
 #include "convexact/measure.hpp"
+#include "measure/fixed_point.hpp"
+#include "measure/integer_hull.hpp"
 #include "number/arithmetic.hpp"
 
 namespace convexact {
 namespace {
 
-// The extreme points as integers: hull.vertices[v] has 3 entries from 3 v on, times 1 / scale.
-struct IntegerPoints {
-  std::vector<Integer> coordinates;
-  Rational scale;
-};
-
-// Doubles times one power of two, where their spread lets that power stay within doubles.
-std::optional<IntegerPoints> scale_doubles(const Hull& hull, const PointSet& points) {
-  constexpr int kWidestSpread = 900;
-  int lowest = 2000, highest = -2000;
-  for (const PointId id : hull.vertices) {
-    for (const double x : points.doubles()[id.index()]) {
-      if (x == 0) continue;
-      lowest = std::min(lowest, unit_exponent(x));
-      highest = std::max(highest, unit_exponent(x));
-    }
-  }
-  if (!points.is_binary() || highest - lowest > kWidestSpread) return std::nullopt;
-  IntegerPoints scaled{std::vector<Integer>(3 * hull.vertices.size()),
-                       scale_by_power_of_two(Rational(1), -lowest)};
-  for (std::size_t v = 0; v < hull.vertices.size(); ++v) {
-    const Point& p = points.doubles()[hull.vertices[v].index()];
-    for (std::size_t k = 0; k < 3; ++k) {
-      mpz_set_d(raw(scaled.coordinates[3 * v + k]), std::ldexp(p[static_cast<long>(k)], -lowest));
-    }
-  }
-  return scaled;
+// low / divisor to high / divisor.
+Enclosure quotient(const Integer& low, const Integer& high, const Rational& divisor,
+                   long precision) {
+  return {Rational(low) / divisor, Rational(high) / divisor, precision};
 }
 
-IntegerPoints scale_rationals(const Hull& hull, const PointSet& points) {
-  std::vector<Rational> coordinates;
-  for (const PointId id : hull.vertices) {
-    const RationalPoint p = points[id];
-    coordinates.insert(coordinates.end(), p.begin(), p.end());
-  }
-  IntegerPoints scaled{std::vector<Integer>(coordinates.size()), 1};
-  scaled.scale = clear_denominators(coordinates, scaled.coordinates);
-  return scaled;
-}
-
-// A hull with the coordinates of its vertices as integers.
-class IntegerHull {
- public:
-  IntegerHull(const Hull& hull, const PointSet& points) : hull_(hull), vertex_(points.size()) {
-    auto doubles = scale_doubles(hull, points);
-    points_ = doubles ? std::move(*doubles) : scale_rationals(hull, points);
-    for (std::size_t v = 0; v < hull.vertices.size(); ++v) {
-      vertex_[hull.vertices[v].index()] = static_cast<std::uint32_t>(v);
-    }
-  }
-
-  const FacetList& facets() const { return hull_.facets; }
-  /// Caller's lengths times this are lengths between these integers.
-  const Rational& scale() const { return points_.scale; }
-  /// Coordinate k modulo 3.
-  const Integer& coordinate(PointId id, std::size_t k) const {
-    return points_.coordinates[3 * vertex_[id.index()] + k % 3];
-  }
-  IntegerVector3 between(PointId tail, PointId head) const {
-    IntegerVector3 along;
-    for (std::size_t k = 0; k < 3; ++k) {
-      mpz_sub(raw(along[static_cast<long>(k)]), raw(coordinate(head, k)), raw(coordinate(tail, k)));
-    }
-    return along;
-  }
-  /// The outward normal of a facet that is as long as twice its area.
-  IntegerVector3 twice_area(std::size_t facet) const {
-    const auto corners = hull_.facets[facet];
-    IntegerVector3 normal = IntegerVector3::Zero(), last = between(corners[0], corners[1]);
-    for (std::size_t m = 2; m < corners.size(); ++m) {
-      IntegerVector3 next = between(corners[0], corners[m]);
-      for (int k = 0; k < 3; ++k) {
-        const int k1 = (k + 1) % 3, k2 = (k + 2) % 3;
-        add_product(normal[k], last[k1], next[k2]);
-        subtract_product(normal[k], last[k2], next[k1]);
-      }
-      last = std::move(next);
-    }
-    return normal;
-  }
-
- private:
-  const Hull& hull_;
-  IntegerPoints points_;
-  std::vector<std::uint32_t> vertex_;  // of a PointId, its place in hull.vertices
-};
-
+// No digits cancel: the sum is at least as large as its largest root, which has `bits` bits.
 Enclosure area_of(const IntegerHull& hull, long precision) {
-  Enclosure sum(precision);
+  std::vector<Integer> squares;
   for (std::size_t f = 0; f < hull.facets().size(); ++f) {
     const IntegerVector3 normal = hull.twice_area(f);
-    sum += sqrt(Enclosure(dot(normal, normal), precision));
+    squares.push_back(dot(normal, normal));
   }
-  return sum / Enclosure(Rational(2 * hull.scale() * hull.scale()), precision);
+  const long bits = precision + static_cast<long>(std::bit_width(squares.size()));
+  const long shift = shift_for_root(*std::max_element(squares.begin(), squares.end()), bits);
+  Integer sum = 0, cut = 0;
+  for (const Integer& square : squares) {
+    const FixedRoot root = fixed_root(square, shift);
+    sum += root.floor;
+    if (!root.is_exact) ++cut;
+  }
+  return quotient(sum, sum + cut, scale_by_power_of_two(2 * hull.scale() * hull.scale(), shift),
+                  precision);
 }
 
-// As mean_width() of a polytope: each edge with the angle between its facets.
+// As mean_width() of a polytope: each edge with the angle between its facets. An edge of length l
+// has a mean width of l / 2, and no solid around it has less, so the sum is at least 2 pi times the
+// longest length. The angles of n edges change it by at most n 2 error() 2^-bits of that length,
+// and the lengths, which are cut by 2^-bits of it, by n pi 2^-bits.
 Enclosure mean_width_of(const IntegerHull& hull, long precision) {
   Polytope topology;
   std::vector<IntegerVector3> normals;
@@ -116,15 +49,28 @@ Enclosure mean_width_of(const IntegerHull& hull, long precision) {
     for (const PointId corner : hull.facets()[f]) corners.push_back(corner.value);
     normals.push_back(hull.twice_area(f));
   }
-  std::vector<AngleTerm> terms;
-  for (const Edge& edge : edges(topology)) {
-    const IntegerVector3 along = hull.between(PointId(edge.tail), PointId(edge.head));
-    const IntegerVector3 &m = normals[edge.left], &n = normals[edge.right];
-    const IntegerVector3 cross = m.cross(n);
-    terms.push_back({1, Rational(dot(along, along)), dot(cross, cross), dot(m, n)});
+  const std::vector<Edge> all = edges(topology);
+  std::vector<Integer> squares;
+  for (const Edge& edge : all) {
+    const IntegerVector3 along = hull.vertex(PointId(edge.head)) - hull.vertex(PointId(edge.tail));
+    squares.push_back(dot(along, along));
   }
-  return AngleSum(std::move(terms)).enclose(precision) /
-         (Enclosure(Rational(4 * hull.scale()), precision) * Enclosure::pi(precision));
+  constexpr long kForErrors = 8;
+  const long bits = precision + static_cast<long>(std::bit_width(all.size())) + kForErrors;
+  const long shift = shift_for_root(*std::max_element(squares.begin(), squares.end()), bits);
+  FixedAngles angles(bits);
+  Integer low = 0, high = 0;
+  for (std::size_t e = 0; e < all.size(); ++e) {
+    const IntegerVector3 &m = normals[all[e].left], &n = normals[all[e].right];
+    IntegerVector3 cross = IntegerVector3::Zero();
+    add_cross_product(cross, m, n);
+    const Integer angle = angles.angle(dot(cross, cross), dot(m, n));
+    const Integer length = fixed_root(squares[e], shift).floor;
+    low += length * (angle - angles.error());
+    high += (length + 1) * (angle + angles.error());
+  }
+  return quotient(low, high, scale_by_power_of_two(4 * hull.scale(), shift + bits), precision) /
+         Enclosure::pi(precision);
 }
 
 }  // namespace
@@ -136,12 +82,14 @@ Rational volume(const Hull& hull, const PointSet& points) {
   Integer six_volumes = 0, minor;
   for (std::size_t f = 0; f < hull.facets.size(); ++f) {
     const auto corners = hull.facets[f];
+    const IntegerVector3& a = integers.vertex(corners[0]);
     for (std::size_t m = 2; m < corners.size(); ++m) {
-      const PointId a = corners[0], b = corners[m - 1], c = corners[m];
-      for (std::size_t k = 0; k < 3; ++k) {
-        mpz_mul(raw(minor), raw(integers.coordinate(b, k + 1)), raw(integers.coordinate(c, k + 2)));
-        subtract_product(minor, integers.coordinate(b, k + 2), integers.coordinate(c, k + 1));
-        add_product(six_volumes, integers.coordinate(a, k), minor);
+      const IntegerVector3 &b = integers.vertex(corners[m - 1]), &c = integers.vertex(corners[m]);
+      for (int k = 0; k < 3; ++k) {
+        const int k1 = (k + 1) % 3, k2 = (k + 2) % 3;
+        mpz_mul(raw(minor), raw(b[k1]), raw(c[k2]));
+        subtract_product(minor, b[k2], c[k1]);
+        add_product(six_volumes, a[k], minor);
       }
     }
   }
