@@ -12,17 +12,17 @@ using namespace convexact;
 
 namespace {
 
-constexpr long kBits = 150;
+constexpr long kAngleBits = 150;
 
 // Whether `angle` of FixedAngles is as near to the true one as it says.
 bool is_angle(const Integer& angle, long error, const Enclosure& exact) {
-  const Rational unit = scale_by_power_of_two(Rational(1), -kBits);
+  const Rational unit = scale_by_power_of_two(Rational(1), -kAngleBits);
   return Rational(angle - error) * unit <= exact.high() &&
          exact.low() <= Rational(angle + error) * unit;
 }
 
 Enclosure exact_angle(const Integer& squared_cross, const Integer& dot) {
-  constexpr long kMore = kBits + 60;
+  constexpr long kMore = kAngleBits + 60;
   return atan2(sqrt(Enclosure(squared_cross, kMore)), Enclosure(dot, kMore));
 }
 
@@ -55,7 +55,7 @@ TEST_CASE("shift_for_root: the least shift that leaves so many bits") {
 }
 
 TEST_CASE("FixedAngles: parts of pi") {
-  FixedAngles angles(kBits);
+  FixedAngles angles(kAngleBits);
   struct Known {
     int squared_cross, dot;
     Rational share;  // of pi
@@ -65,13 +65,14 @@ TEST_CASE("FixedAngles: parts of pi") {
         Known{9, -3, {3, 4}}, Known{3, 1, {1, 3}}, Known{3, -1, {2, 3}}, Known{1, 0, {1, 2}}}) {
     CAPTURE(known.squared_cross);
     CAPTURE(known.dot);
-    const Enclosure exact = Enclosure(known.share, kBits + 60) * Enclosure::pi(kBits + 60);
+    const Enclosure exact =
+        Enclosure(known.share, kAngleBits + 60) * Enclosure::pi(kAngleBits + 60);
     CHECK(is_angle(angles.angle(known.squared_cross, known.dot), angles.error(), exact));
   }
 }
 
 TEST_CASE("FixedAngles: as by MPFR, for angles and numbers of any size") {
-  FixedAngles angles(kBits);
+  FixedAngles angles(kAngleBits);
   // Around the tangents at which the table of steps changes, and the axes.
   for (int k = 0; k <= 64; ++k) {
     for (const int off : {-1, 0, 1}) {

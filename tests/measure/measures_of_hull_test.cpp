@@ -23,12 +23,12 @@ PointSet box(double x, double y, double z) {
 }
 
 // Both hold the same number, and the first one narrowly.
-bool agree(const Enclosure& a, const Enclosure& b) {
+bool same_measure(const Enclosure& a, const Enclosure& b) {
   return (a - b).contains(0) && a.width() <= scale_by_power_of_two(a.high(), -kMeasureBits + 10);
 }
 bool is_near(const PointSet& points, CostMeasure measure, const Rational& value) {
-  return agree(enclose_measure(hull_of(points), points, measure, kMeasureBits),
-               Enclosure(value, kMeasureBits));
+  return same_measure(enclose_measure(hull_of(points), points, measure, kMeasureBits),
+                      Enclosure(value, kMeasureBits));
 }
 }  // namespace
 
@@ -98,8 +98,8 @@ TEST_CASE("area and mean width of a hull: as by planes, polygons included") {
     const Polytope polytope = to_polytope(hull, points);
     for (const CostMeasure measure : {CostMeasure::Area, CostMeasure::MeanWidth}) {
       CAPTURE(list.size());
-      CHECK(agree(enclose_measure(hull, points, measure, kMeasureBits),
-                  enclose_measure(polytope, measure, kMeasureBits)));
+      CHECK(same_measure(enclose_measure(hull, points, measure, kMeasureBits),
+                         enclose_measure(polytope, measure, kMeasureBits)));
     }
   }
 }
