@@ -35,6 +35,11 @@ namespace convexact {
 /// @par Cost  O(corners) products of integers as long as the spread of the coordinates.
 [[nodiscard]] Rational volume(const Hull& hull, const PointSet& points);
 
+/// Volume, area or mean width of a hull, relative width about 2^-precision, from the same integers:
+/// no plane is formed.
+[[nodiscard]] Enclosure enclose_measure(const Hull& hull, const PointSet& points,
+                                        CostMeasure measure, long precision);
+
 /// Exact area of each facet, in squared length units; radicand = n.n of the facet's primitive
 /// normal direction.
 [[nodiscard]] std::vector<RootTerm> facet_areas(const Polytope& polytope, const Watch& watch = {});

@@ -171,6 +171,7 @@ FilteredCap::FilteredCap(const FastDual& dual, const HalfEdgeMesh& mesh, CostMea
                          std::uint64_t seed, CostObserver* observer)
     : dual_(dual), mesh_(mesh), measure_(measure), observer_(observer), signs_(dual), seed_(seed) {
   if (measure != CostMeasure::Volume) metric_.emplace(dual, measure);
+  if (measure == CostMeasure::Area) long_area_.emplace(dual);
 }
 
 void FilteredCap::prepare(HalfspaceId i) {
@@ -216,21 +217,25 @@ CostBounds<double> FilteredCap::in_doubles() {
 }
 
 CostBounds<DoubleDouble> FilteredCap::in_double_doubles() {
-  if (metric_) {
-    const auto [kind, lower, upper] =
-        metric_->bounds(geometry_, *prepared_, ring_.vertices, triangles_, Roundoff<double>::kUnit);
-    return {kind, DoubleDouble(lower), DoubleDouble(upper)};
-  }
+  if (measure_ == CostMeasure::MeanWidth) return bounds_of_doubles();
   long_geometry_.load(*prepared_, ring_.vertices,
                       [&](HalfspaceId v) { return dual_.long_point(v); });
   CostBounds<DoubleDouble> bounds =
-      long_cost_.bounds(long_geometry_, triangles_, Roundoff<DoubleDouble>::kUnit);
-  if (!are_close(bounds.lower, bounds.upper)) {
+      long_area_ ? long_area_->bounds(long_geometry_, *prepared_, ring_.vertices, triangles_)
+                 : long_cost_.bounds(long_geometry_, triangles_, Roundoff<DoubleDouble>::kUnit);
+  if (long_area_ && bounds.kind == Boundedness::Doubtful) return bounds_of_doubles();
+  if (!long_area_ && !are_close(bounds.lower, bounds.upper)) {
     CloseDeterminants determinants(long_geometry_, *prepared_, ring_.vertices, signs_);
     bounds = determinants.widened(close_volume_.six_times(length(ring_), triangles_, determinants));
   }
   if (observer_ != nullptr) observer_->in_double_doubles(*prepared_, ring_, triangles_, bounds);
   return bounds;
+}
+
+CostBounds<DoubleDouble> FilteredCap::bounds_of_doubles() {
+  const auto [kind, lower, upper] =
+      metric_->bounds(geometry_, *prepared_, ring_.vertices, triangles_, Roundoff<double>::kUnit);
+  return {kind, DoubleDouble(lower), DoubleDouble(upper)};
 }
 
 Cost FilteredCap::exactly() const {

@@ -102,6 +102,12 @@ class FastDual {
     const Triple<double>& p = near(i);
     return {p.x * axis_weight_[0], p.y * axis_weight_[1], p.z * axis_weight_[2]};
   }
+  /// The same for long_point(i).
+  Triple<DoubleDouble> long_point_in_callers_frame(HalfspaceId i) const {
+    const Triple<double> a = in_callers_frame(i), &b = rest(i);
+    return {
+        {a.x, b.x * axis_weight_[0]}, {a.y, b.y * axis_weight_[1]}, {a.z, b.z * axis_weight_[2]}};
+  }
   /// Volumes in these coordinates times 2^this are volumes in the caller's cubed length unit.
   long volume_exponent() const { return long{frame_[0]} + frame_[1] + frame_[2]; }
   /// Costs computed from determinants of these coordinates and, for area and mean width, from

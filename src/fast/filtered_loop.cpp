@@ -247,14 +247,15 @@ bool FilteredLoop::tighten_top() {
   return is_exact && queue_.top() == top;
 }
 
-// Those that may cost as little as the top. Of volumes that are nearly equal, as those of a
+// Those that may cost as little as the top. Of costs that are nearly equal, as those of a
 // cylinder's sides, a wide bound would collect thousands at every step; so then the top's bounds
-// are made narrower first, which is paid once, and false is returned.
+// are made narrower first, which is paid once, and false is returned. (Of mean widths they cannot
+// be.)
 bool FilteredLoop::collect_candidates() {
   constexpr std::size_t kMany = 32;
   const HalfspaceId top = queue_.top();
   const DoubleDouble most = upper_[top.index()];
-  if (options_.cost == CostMeasure::Volume && !ties_.is_exact(top)) {
+  if (options_.cost != CostMeasure::MeanWidth && !ties_.is_exact(top)) {
     queue_.collect(most, candidates_, kMany);
     if (candidates_.size() <= kMany) return true;
     refine(top);

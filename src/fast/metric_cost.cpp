@@ -16,12 +16,8 @@ constexpr double kNoUpperEnd = std::numeric_limits<double>::infinity();
 // (E2) The chord |m - n| between two directions, at most 2. The directions are off by 8u each;
 // their differences are rounded by u relative, squares and sums by 3u, halved by the root, which
 // adds u: 16u + 3.5u * 2.
-constexpr double kOfChord = 2 * DualNormals::kDirectionError + 3.5 * 2, kChordError = 24;
+constexpr double kOfChord = 2 * DualNormals::kDirectionError + 3.5 * 2;
 static_assert(kOfChord < kChordError);
-
-// (E3) The versine 1 - cos theta = chord^2 / 2: off by chord * 24u + (24u)^2 / 2, and rounded by 4u
-// relative, at most 2 chord u.
-double versine_error(double chord) { return kUnitRoundoff * ((kChordError + 4) * chord + 0x1p-40); }
 
 double dot_of(const Triple<double>& a, const Triple<double>& b) {
   return a.x * b.x + a.y * b.y + a.z * b.z;
@@ -174,8 +170,6 @@ double rounded_angular_excess(const Triple<double>& to_x, const Triple<double>& 
 }
 
 DualNormals::DualNormals(const FastDual& dual) {
-  // Squares stay in range, and what a coordinate loses to underflow is less than 2^-100 of |p|.
-  constexpr int kLeastExponent = -900;
   normals_.reserve(dual.size());
   for (std::size_t i = 0; i < dual.size(); ++i) {
     const Triple<double> p = dual.in_callers_frame(HalfspaceId(i));
@@ -207,20 +201,12 @@ void MetricCost::load(HalfspaceId i, std::span<const HalfspaceId> ring) {
 
 // |P_q| (1 - cos theta_iq), by which a side's sum counts for twice the area.
 Interval<double> MetricCost::weight(const Direction& q) const {
-  const double error = versine_error(q.chord);
+  const double error = versine_error(q.chord, kUnitRoundoff);
   return {q.length * std::max(q.versine - error, 0.0), q.length * (q.versine + error)};
 }
 
 namespace {
 
-// (E7) What is rounded away in a sum of n numbers: n u, and twice that leaves room for higher
-// orders.
-double sum_slop(std::size_t n) { return 2 * static_cast<double>(n) * kUnitRoundoff; }
-// Below any term lie 5 determinants, each of whose ends is rounded once, 2 lengths (5u each), a
-// weight (2u), 7 products and quotients, and the additions to its side; from longer arithmetic, one
-// rounding to doubles.
-constexpr std::size_t kOfTerm = 5 + 2 * 5 + 2 + 7 + 1;
-static_assert(DualNormals::kLengthError <= 5);
 constexpr double kTiny = ExponentRange<double>::kVolumeUnderflow;
 
 }  // namespace
@@ -228,7 +214,7 @@ constexpr double kTiny = ExponentRange<double>::kVolumeUnderflow;
 double MetricCost::lower_bound(std::span<const LastingTerm> terms) {
   double sum = 0;
   for (const LastingTerm& term : terms) sum += term.lower;
-  return std::max(sum * (1 - sum_slop(terms.size())) - kTiny, 0.0);
+  return std::max(sum * (1 - sum_slop(terms.size(), kUnitRoundoff)) - kTiny, 0.0);
 }
 
 double forget_terms_of(HalfspaceId removed, std::vector<LastingTerm>& terms) {
@@ -243,12 +229,12 @@ CostBounds<double> MetricCost::widened(const Interval<double>& sum, bool is_cert
     terms_.clear();
     return CostBounds<double>::doubtful();
   }
-  const double of_terms = sum_slop(kOfTerm + ring_.size());
+  const double of_terms = sum_slop(kOfTerm + ring_.size(), kUnitRoundoff);
   for (LastingTerm& term : terms_) term.lower *= 1 - of_terms;
   const double lower = lower_bound(terms_);
   if (!is_certain) return {Boundedness::Doubtful, lower, kNoUpperEnd};
   return {Boundedness::Bounded, lower,
-          sum.upper * (1 + of_terms + sum_slop(terms_.size())) + kTiny};
+          sum.upper * (1 + of_terms + sum_slop(terms_.size(), kUnitRoundoff)) + kTiny};
 }
 
 }  // namespace convexact

@@ -43,12 +43,34 @@ class DualNormals {
   static constexpr double kOfDirection = 2 + kOfLength + 1, kDirectionError = 8;
   static_assert(kOfLength < kLengthError && kOfDirection < kDirectionError);
 
+  /// Where the largest coordinate is at least 2^this, squares stay in range, and what a coordinate
+  /// loses to underflow is less than 2^-100 of |p|.
+  static constexpr int kLeastExponent = -900;
+
   explicit DualNormals(const FastDual& dual);
   const Normal& operator[](HalfspaceId i) const { return normals_[i.index()]; }
 
  private:
   std::vector<Normal> normals_;
 };
+
+// The bounds of areas in an arithmetic of any unit u (Roundoff); metric_cost.cpp has (E2).
+
+/// (E2) The distance of two directions as computed is off by so many u.
+inline constexpr double kChordError = 24;
+/// (E3) The versine 1 - cos theta = chord^2 / 2: off by chord * 24u + (24u)^2 / 2, and rounded by
+/// 4u relative, at most 2 chord u.
+inline double versine_error(double chord, double unit) {
+  return unit * ((kChordError + 4) * chord + 0x1p-40);
+}
+/// (E7) What is rounded away in a sum of n numbers: n u, and twice that leaves room for higher
+/// orders.
+inline double sum_slop(std::size_t n, double unit) { return 2 * static_cast<double>(n) * unit; }
+/// Below any term lie 5 determinants, each of whose ends is rounded once, 2 lengths (5u each), a
+/// weight (2u), 7 products and quotients, and the additions to its side; from longer arithmetic,
+/// one rounding to doubles.
+inline constexpr std::size_t kOfTerm = 5 + 2 * 5 + 2 + 7 + 1;
+static_assert(DualNormals::kLengthError <= 5);
 
 /// Area and mean width of a cap beyond those of its base, as sums without subtraction.
 ///

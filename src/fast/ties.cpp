@@ -212,7 +212,9 @@ const Cost& TieBreaker::exact_cost(HalfspaceId i) {
     ++counts_.exact;
     const Cost& cost = *its_class.cost;
     const auto [lower, upper] = bounds_of(cost, dual_.cost_exponent(cost.measure()));
-    its_class.bounds = {Boundedness::Bounded, lower, upper};
+    // Of an area they are wider than those in DoubleDouble may have been.
+    its_class.bounds = {Boundedness::Bounded, std::max(its_class.bounds.lower, lower),
+                        std::min(its_class.bounds.upper, upper)};
   }
   return *its_class.cost;
 }

@@ -138,9 +138,8 @@ bool keeps_record(const SimplifyRequest& request) {
 
 // Whether the exact planes of the whole input are not needed.
 bool is_lean(const Shape& shape, const SimplifyRequest& request) {
-  const bool needs_polytope = request.center || request.cost != CostMeasure::Volume ||
-                              limited_measure(request) || !request.keep.empty() ||
-                              request.search.kind != SearchKind::None;
+  const bool needs_polytope =
+      request.center || !request.keep.empty() || request.search.kind != SearchKind::None;
   return std::holds_alternative<PointSet>(shape) && !keeps_record(request) && !request.record &&
          !needs_polytope;
 }
@@ -252,18 +251,18 @@ const Enclosure& InputMeasures::of(CostMeasure kind, CostMeasure cost) const {
 }
 
 InputMeasures measure_input(const RunInput& input, const SimplifyRequest& request, StageLog& log) {
-  if (input.hull) {
-    const auto& points = std::get<PointSet>(input.shape);
-    const Rational exact = log.run("volume", [&] { return volume(*input.hull, points); });
-    return {{Enclosure(exact, kMeasureBits),
-             request.exact_volumes ? std::optional(exact) : std::nullopt}};
-  }
-  const Polytope& polytope = input.solid->polytope;
-  InputMeasures result{
-      log.run("volume", [&] { return measure_volume(polytope, request.exact_volumes); })};
+  const auto* points = std::get_if<PointSet>(&input.shape);
+  InputMeasures result{log.run("volume", [&]() -> Measured {
+    if (!input.hull) return measure_volume(input.solid->polytope, request.exact_volumes);
+    const Rational exact = volume(*input.hull, *points);
+    return {Enclosure(exact, kMeasureBits),
+            request.exact_volumes ? std::optional(exact) : std::nullopt};
+  })};
   const auto enclosed = [&](CostMeasure measure) {
-    return log.run(measure_stage(measure),
-                   [&] { return enclose_measure(polytope, measure, kMeasureBits); });
+    return log.run(measure_stage(measure), [&] {
+      return input.hull ? enclose_measure(*input.hull, *points, measure, kMeasureBits)
+                        : enclose_measure(input.solid->polytope, measure, kMeasureBits);
+    });
   };
   if (request.cost != CostMeasure::Volume) result.measure = enclosed(request.cost);
   if (const auto measure = limited_measure(request)) result.limited = enclosed(*measure);

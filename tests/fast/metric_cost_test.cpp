@@ -225,3 +225,27 @@ TEST_CASE("metric costs: the bound of the angles holds for the worst found, and 
   CHECK(wide > 1.0 / 1024);
   MESSAGE("near " << near << ", far " << far << ", wide " << wide);
 }
+
+TEST_CASE("FilteredLoop: areas that doubles do not tell apart need no exact number") {
+  // A spiral over the sphere nearly maps to itself: the caps of neighbours differ by rounding only.
+  const PointSet set(shapes::fibonacci_sphere(1000));
+  const Hull hull = std::get<Hull>(convex_hull(set));
+  const FastDual dual = FastDual::of(hull, set);
+  const FastResult result = simplify_filtered(dual, {.faces = 18, .cost = CostMeasure::Area});
+  CHECK(result.counts.extended > result.steps.size() / 4);
+  CHECK(result.counts.exact == 0);
+}
+
+TEST_CASE("simplify: by area and mean width, rings at an apex of many sides stay short") {
+  // The cost of evaluating rings of k sides after each of k removals would be quadratic.
+  for (const CostMeasure measure : kMetrics) {
+    const auto signs_of = [&](std::uint32_t k) {
+      const PointSet set(shapes::bipyramid(k));
+      const Hull hull = std::get<Hull>(convex_hull(set));
+      const FastDual dual = FastDual::of(hull, set);
+      const SignCounts& signs = simplify_filtered(dual, {.cost = measure}).counts.signs;
+      return signs.filtered + signs.incident + signs.extended + signs.exact;
+    };
+    CHECK(signs_of(2000) < 3 * signs_of(1000));
+  }
+}

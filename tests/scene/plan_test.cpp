@@ -94,11 +94,16 @@ TEST_CASE("plan: simplify skips what neither the engine nor the input needs") {
   check_only("Chebyshev center", reference, planes);
   check_only("Chebyshev center", reference, centered);
   check_only("hull certificate", reference, lean);
-  Plan area, kept;
-  request = request_for(Engine::Filtered);
-  request.cost = CostMeasure::Area;
-  simplify_in(area, ball(), request);
-  check_only("Chebyshev center", reference, area);
+  for (const CostMeasure cost : {CostMeasure::Area, CostMeasure::MeanWidth}) {
+    Plan other;
+    request = request_for(Engine::Filtered);
+    request.cost = cost;
+    simplify_in(other, ball(), request);
+    check_only("Chebyshev center", reference, other);
+    check_only("hull certificate", reference, other);
+    CHECK_FALSE(reason_to_skip(other.stages, "exact planes").empty());
+  }
+  Plan kept;
   request.cost = CostMeasure::Volume;
   request.keep = {{KeepIds{{HalfspaceId(0)}}, "the first"}};
   simplify_in(kept, ball(), request);

@@ -110,10 +110,9 @@ void take_lean_run(const FastDual& dual, const Question& question, std::size_t f
 
 void take_lean_run(const Shape& shape, const Solid& solid, const Question& question,
                    std::size_t faces, EngineAnswer& answer) {
-  // From the dual that the pipeline uses: bounds depend on its center. By volume, points need no
-  // exact planes.
+  // From the dual that the pipeline uses: bounds depend on its center. Points need no exact planes.
   const auto* points = std::get_if<PointSet>(&shape);
-  if (points == nullptr || question.cost != CostMeasure::Volume) {
+  if (points == nullptr) {
     return take_lean_run(FastDual::of(solid.dual, interior_point_of(solid)), question, faces,
                          answer);
   }
