@@ -51,6 +51,9 @@ PYTHON = {"scipy": "1.17.1", "trimesh": "5.2.0", "open3d": "0.20.0", "manifold3d
           "vhacdx": "0.1.1", "pybullet": "3.2.7"}
 PYTHON_PARTS = ("coacd", "miniacd", "vhacdx", "pybullet")
 PYTHON_HULLS = {**{name: name for name in PYTHON if name not in PYTHON_PARTS}, "mujoco-32": "mujoco"}
+# The five with the strongest claim to be used most: what programs in Python call for a hull, what tools for meshes, scans and
+# solids bring with them, and what a simulator makes of every mesh that it loads.
+MOST_USED = ("scipy", "trimesh", "open3d", "mujoco", "manifold3d")
 # Their boxes: halfspaces instead of faces.
 PYTHON_BOXES = {"trimesh-box": "trimesh", "open3d-box": "open3d", "open3d-least-box": "open3d"}
 PYTHON_NUMBERS = {"mujoco": "binary32", "mujoco-32": "binary32"}
