@@ -294,7 +294,7 @@ def main(arguments=None):
     if options.page:
         matrix = parts_matrix(edit_page("decompositions", str.strip))
         edit_page("matrix", lambda old: matrix)
-    for program in programs:
+    for program in (program for program in programs if not program.missing):
         mine = [run for run in runs if run.program is program]
         found = [parts_finding(program, run.record, run.source, run.target) for run in mine]
         write_subject(options, program, [finding for finding in found if finding], len(mine))

@@ -150,8 +150,8 @@ def write_subject(options, program, findings, inputs):
     FOLDER.mkdir(parents=True, exist_ok=True)
     shown, name, convexact = worst(findings), program.name + options.suffix, options.convexact
     parts = [f'<!doctype html><meta charset="utf-8"><title>{name}</title><style>{STYLE}</style>', f"<h1>{name}</h1>",
-             f"<p>{html.escape(program.version or 'this repository')}, {time.strftime('%Y-%m-%d')}: {inputs} inputs, "
-             f"{len(findings)} findings, the worst {len(shown)} below. The tolerance that it promises, or that is allowed to it: "
+             f"<p>{html.escape(program.version or 'this repository')}, {time.strftime('%Y-%m-%d')}: {inputs} inputs; "
+             f"findings: {len(findings)}, the worst {len(shown)} below. The tolerance that it promises, or that is allowed to it: "
              f"{html.escape(program.promise or 'none, so that its findings are measurements')}.</p>"]
     parts += [section(convexact, program, finding, options) for finding in shown]
     reducible = [finding for finding in shown if finding.shrink]
