@@ -13,6 +13,7 @@ from dataclasses import dataclass
 from functools import lru_cache
 from pathlib import Path
 
+import warm
 from memory import digest_of
 
 HERE = Path(__file__).parent
@@ -214,17 +215,31 @@ def run_program(program, source, target, faces, seconds):
     """How it ended: 'output', 'refused N', 'no file', 'signal N' or 'time'."""
     target.unlink(missing_ok=True)
     seconds_of(target).unlink(missing_ok=True)
+    code = exit_code(program, program.words(source, target, faces), seconds)
+    if not isinstance(code, int):
+        return code
+    if code < 0:
+        return f"signal {-code}"
+    if code:
+        return f"refused {code}"
+    return "output" if target.exists() else "no file"
+
+
+def exit_code(program, words, seconds):
+    """Of one run, in a copy of a process that has imported the program's package, if there is one; or how else it ended."""
+    package = program.version.split(" ", maxsplit=1)[0]
+    if program.origin == "python" and package in warm.MODULES:
+        try:
+            code = warm.call(words[0], package, words[1:], seconds)
+            return "time" if code is None else code
+        except warm.Dead as fault:
+            return f"not started: {package} cannot be imported: {fault}"
     try:
-        done = subprocess.run(program.words(source, target, faces), capture_output=True, timeout=seconds, check=False)
+        return subprocess.run(words, capture_output=True, timeout=seconds, check=False).returncode
     except subprocess.TimeoutExpired:
         return "time"
     except OSError as fault:
         return f"not started: {fault}"
-    if done.returncode < 0:
-        return f"signal {-done.returncode}"
-    if done.returncode:
-        return f"refused {done.returncode}"
-    return "output" if target.exists() else "no file"
 
 
 def seconds_of(target):
