@@ -15,6 +15,7 @@ import programs  # noqa: E402
 import real_meshes  # noqa: E402
 import subjects  # noqa: E402
 import tables  # noqa: E402
+import warm  # noqa: E402
 from memory import Memory, digest_of, expectation  # noqa: E402
 
 
@@ -64,6 +65,26 @@ class Outputs(unittest.TestCase):
             self.assertEqual(program.identity(), before)
             script.write_text("2")
             self.assertNotEqual(program.identity(), before)
+
+
+class Copies(unittest.TestCase):
+    ADAPTER = """import os, sys, time
+def main(what):
+    {"writes": lambda: print("to nowhere"), "dies": os.abort, "waits": lambda: time.sleep(60), "raises": lambda: 1 / 0}[what]()
+    return 4 if "decimal" in sys.modules else 3
+"""
+
+    def test_each_call_has_a_process_of_its_own(self):
+        with tempfile.TemporaryDirectory() as folder:
+            script = Path(folder) / "an_adapter.py"
+            script.write_text(self.ADAPTER)
+            codes = [warm.call(sys.executable, "decimal", [script, what], seconds)
+                     for what, seconds in (("writes", 20), ("dies", 20), ("waits", 0.2), ("raises", 20), ("writes", 20))]
+        self.assertEqual(codes, [4, -6, None, 1, 4])
+
+    def test_a_package_that_cannot_be_imported(self):
+        with self.assertRaises(warm.Dead):
+            warm.call(sys.executable, "no_such_package", ["a"], 1)
 
 
 class Findings(unittest.TestCase):

@@ -5,6 +5,7 @@ calls take milliseconds. Each call has a process of its own, so that a crash end
 As a program, `warm.py PACKAGE` is the process that is copied: it reads a call from each line, [adapter, arguments...] in JSON,
 and answers with the copy's process id and then its wait status, a line each.
 """
+import contextlib
 import importlib
 import json
 import os
@@ -15,10 +16,11 @@ import sys
 import time
 from pathlib import Path
 
-# What is imported before; a package that loads more when it is called has that here, too.
+# What is imported before: numpy, which every adapter needs, and what a package loads when it is called.
 MODULES = {"scipy": ["scipy.spatial"], "trimesh": ["trimesh", "scipy.spatial", "scipy.optimize"], "open3d": ["open3d"],
-           "manifold3d": ["manifold3d"], "coal": ["coal"], "pymeshlab": ["pymeshlab"], "mujoco": ["mujoco"], "pchs": ["pchs"],
-           "libigl": ["igl.copyleft.cgal"], "drake": ["pydrake.geometry"]}
+           "manifold3d": ["numpy", "manifold3d"], "coal": ["numpy", "coal"], "pymeshlab": ["numpy", "pymeshlab"],
+           "mujoco": ["mujoco"], "pchs": ["numpy", "pchs"], "libigl": ["numpy", "igl.copyleft.cgal"],
+           "drake": ["numpy", "pydrake.geometry"]}
 WARM = {}  # by package, of this process
 
 
@@ -50,7 +52,8 @@ def call(python, package, words, seconds):
     copy = line_of(process, time.monotonic() + 120)
     status = line_of(process, time.monotonic() + seconds)
     if status is None:
-        os.kill(copy, signal.SIGKILL)
+        with contextlib.suppress(ProcessLookupError):  # it may have ended just now
+            os.kill(copy, signal.SIGKILL)
         line_of(process, time.monotonic() + 120)
         return None
     return os.waitstatus_to_exitcode(status)
@@ -60,6 +63,7 @@ def in_copy(words):
     """Never returns."""
     code = 1
     try:
+        sys.path.insert(0, str(Path(words[0]).parent))
         adapter = importlib.import_module(Path(words[0]).stem)
         code = adapter.main(*words[1:])
     finally:
@@ -70,7 +74,7 @@ def serve(package):
     answers = os.fdopen(os.dup(1), "w", buffering=1)
     silence = os.open(os.devnull, os.O_WRONLY)
     os.dup2(silence, 1)
-    for name in ("numpy", *MODULES[package]):
+    for name in MODULES.get(package, [package]):
         importlib.import_module(name)
     print(os.getpid(), file=answers)
     for line in sys.stdin:
