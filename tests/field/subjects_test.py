@@ -159,6 +159,13 @@ class Pages(unittest.TestCase):
         self.assertEqual(tables.with_old_rows(new, self.OLD, ["more", "one", "two"]),
                          "| a | b |\n| --- | ---: |\n| `more` | 4 |\n| `one` | 1 |\n| `two` | 22 |")
 
+    def test_rows_of_real_meshes_have_no_columns_of_bunny(self):
+        program = programs.Program("p", ["p"], version="p 1")
+        found = {**Findings.GOOD, "outward": True, "is_hull": True, "facets": 8, "mesh": False, "seconds": 0.5}
+        records = [{"program": "p", "case": "c", "found": found}]
+        for real, columns in ((0, len(tables.HULL_HEAD)), (30, len(tables.HULL_HEAD) - 2), (300, len(tables.HULL_HEAD) - 2)):
+            self.assertEqual({line.count(" | ") + 1 for line in tables.hull_table(records, [program], 1, real).split("\n")}, {columns})
+
     def test_an_empty_page_takes_all_rows(self):
         new = "| a | b |\n| --- | ---: |\n| `two` | 22 |"
         self.assertEqual(tables.with_old_rows(new, "\n", ["two"]), new)

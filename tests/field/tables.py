@@ -94,7 +94,7 @@ def hull_table(records, programs, inputs, real=False):
     for record in records:
         if record["found"] and "seconds" in record["found"]:
             by_name.setdefault(record["program"], []).append({"case": record["case"], **record["found"]})
-    columns = len(HULL_HEAD) - 2 * real
+    columns = len(HULL_HEAD) - (2 if real else 0)
     rows = [hull_row(program, by_name[program.name], inputs)[:columns] for program in programs if program.name in by_name]
     return markdown(HULL_HEAD[:columns], rows, left=2)
 
