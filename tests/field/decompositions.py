@@ -24,7 +24,7 @@ from compare import shown  # noqa: E402
 from judge_parts import judge_part_files  # noqa: E402
 from memory import Memory, bytes_of, digest_of, expectation, judges_digest  # noqa: E402
 from mutate import obj_text  # noqa: E402
-from programs import BUILD, NOT_HERE, ROOT, decomposers, own_seconds, run_program  # noqa: E402
+from programs import BUILD, NOT_HERE, ROOT, decomposers, own_seconds, run_program, says_nothing  # noqa: E402
 from reading import Mesh, read  # noqa: E402
 from run import number_options  # noqa: E402
 from subjects import parts_finding, write_subject  # noqa: E402
@@ -178,7 +178,7 @@ class Run:
         self.decompose()
         if self.options.asks and self.record["outcome"] == "output":
             self.verify()
-        if self.record["outcome"] != "time":
+        if not says_nothing(self.record["outcome"]):
             self.memory.keep(self.program.name, self.digest(), self.record, time.monotonic() - start)
 
     def decompose(self):
@@ -186,7 +186,7 @@ class Run:
         if self.outcome_file.exists() and not self.options.fresh and not self.program.is_ours():
             outcome, *before = self.outcome_file.read_text().split("\n")
             outcome = outcome if before == [identity] else "time"
-        if outcome == "time":
+        if says_nothing(outcome):
             start = time.monotonic()
             outcome = run_program(self.program, self.source, self.target, 0, self.options.time_limit)
             self.outcome_file.write_text(f"{outcome}\n{identity}")

@@ -22,7 +22,7 @@ from compare import Differences, ask_convexact, compare  # noqa: E402
 from judge import Input, judge_files  # noqa: E402
 from memory import Memory, bytes_of, digest_of, expectation, judges_digest  # noqa: E402
 from mutate import mutations, obj_text, off_text, ply_bytes  # noqa: E402
-from programs import BUILD, MOST_USED, NOT_HERE, ROOT, all_programs, own_seconds, run_program  # noqa: E402
+from programs import BUILD, MOST_USED, NOT_HERE, ROOT, all_programs, own_seconds, run_program, says_nothing  # noqa: E402
 from real_meshes import real_meshes  # noqa: E402
 from reading import Malformed, Mesh, NotFinite, read, vector_number  # noqa: E402
 from subjects import hull_finding, write_subject  # noqa: E402
@@ -128,7 +128,7 @@ class Case:
                 self.prepare()
             start = time.monotonic()
             found = self.run(program)
-            if found[0]["outcome"] != "time":
+            if not says_nothing(found[0]["outcome"]):
                 self.memory.keep(program.name, self.digest_with(program), found, time.monotonic() - start)
             self.outcomes_file.write_text(json.dumps(self.outcomes))
         return found
@@ -170,7 +170,7 @@ class Case:
     def run(self, program):
         target = self.target_of(program)
         outcome, identity = self.outcomes.get(program.name, ("time", ""))
-        if outcome == "time" or identity != program.identity() or program.is_ours():
+        if says_nothing(outcome) or identity != program.identity() or program.is_ours():
             start = time.monotonic()
             outcome = run_program(program, self.source, target, self.faces, self.options.time_limit)
             self.outcomes[program.name] = outcome, program.identity()
