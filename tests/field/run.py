@@ -328,7 +328,8 @@ def main(arguments=None):
             print(f"{kind}: {record['file']} {record['tolerance'] or ''}: {claim}: {sentence}")
     for name, reason in {**skipped, **({} if options.program else NOT_HERE)}.items():
         print(f"skipped: {name}: {reason}")
-    print(f"{len(records)} verdicts on {len(work)} inputs, {len(differing)} differ; {options.report}")
+    verdicts = sum(record["outcome"].startswith("exit") for record in records)
+    print(f"{verdicts} verdicts of both judges on {len(work)} inputs, {len(differing)} differ; {options.report}")
     return 1 if differing else 0
 
 
