@@ -20,7 +20,7 @@ from pathlib import Path
 sys.path.insert(0, str(Path(__file__).parent))
 from compare import Differences, ask_convexact, compare  # noqa: E402
 from judge import Input, judge_files  # noqa: E402
-from memory import Memory, bytes_of, digest_of, expectation, judges_digest  # noqa: E402
+from memory import Memory, bytes_of, digest_of, expectation, judges_digest, write_whole  # noqa: E402
 from mutate import mutations, obj_text, off_text, ply_bytes  # noqa: E402
 from programs import BUILD, MOST_USED, NOT_HERE, ROOT, all_programs, own_seconds, run_program, says_nothing  # noqa: E402
 from real_meshes import real_meshes  # noqa: E402
@@ -130,7 +130,7 @@ class Case:
             found = self.run(program)
             if not says_nothing(found[0]["outcome"]):
                 self.memory.keep(program.name, self.digest_with(program), found, time.monotonic() - start)
-            self.outcomes_file.write_text(json.dumps(self.outcomes))
+            write_whole(self.outcomes_file, json.dumps(self.outcomes))
         return found
 
     def input_for(self, numbers):
