@@ -8,7 +8,7 @@ import time
 from dataclasses import dataclass, field
 
 from programs import BUILD, ROOT
-from tables import percent, relative_distance
+from tables import percent, relative_distance, uncovered_share
 
 FOLDER = BUILD / "subjects"
 MOST = 5  # inputs of one page
@@ -73,7 +73,7 @@ def parts_finding(program, record, source, target):
     judge = record.get("judge")
     if not judge:
         return None
-    share, distance = judge.get("uncovered_area_share"), relative_distance(judge)
+    share, distance = uncovered_share(record), relative_distance(judge)
     surface = f"; {percent(share)} of the surface in no part" if share else ""
     if judge["points_outside"]:
         return finding(3, distance, f"{judge['points_outside']} of {judge['points']} points in no part, the worst by {distance:.2g} of the "

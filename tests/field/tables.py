@@ -168,6 +168,12 @@ def volume_share(measures, name):
     return percent(max(middle(measures[name]), 0.0) / middle(measures["solid_volume"]))
 
 
+def uncovered_share(record):
+    """Of the surface, in no part, by convexact, or by the judge alone; None if neither says."""
+    measures = (record.get("answer") or {}).get("measures", {})
+    return middle(measures["uncovered_area_share"]) if "uncovered_area_share" in measures else record["judge"].get("uncovered_area_share")
+
+
 def beyond(record):
     """How far the parts reach beyond the input's solid at most, in diameters, rounded up; REACH if that is proven to be enough."""
     answer, judge = record.get("answer") or {}, record["judge"]
@@ -186,7 +192,7 @@ def judged_cells(record):
         words = {"time": "over time", "output": "not judged"}.get(record["outcome"], record["outcome"])
         return [words] + ["-"] * 9
     judge, measures = record["judge"], (record.get("answer") or {}).get("measures", {})
-    share = middle(measures["uncovered_area_share"]) if "uncovered_area_share" in measures else judge.get("uncovered_area_share")
+    share = uncovered_share(record)
     return [str(judge["parts"]), str(max(judge["facets"], default=0)), short_time(record["seconds"]),
             percent(judge["points_outside"] / judge["points"]), small(relative_distance(judge)), "-" if share is None else percent(share),
             volume_share(measures, "uncovered_volume"), volume_share(measures, "excess_volume"), beyond(record),
