@@ -24,16 +24,17 @@ from compare import shown  # noqa: E402
 from judge_parts import judge_part_files  # noqa: E402
 from memory import Memory, bytes_of, digest_of, expectation, judges_digest  # noqa: E402
 from mutate import obj_text  # noqa: E402
-from programs import BUILD, NOT_HERE, ROOT, decomposers, own_seconds, run_program  # noqa: E402
+from programs import BUILD, NOT_HERE, ROOT, decomposers, own_seconds, run_program, says_nothing  # noqa: E402
 from reading import Mesh, read  # noqa: E402
 from run import number_options  # noqa: E402
-from tables import PARTS_MESHES, edit_page, parts_matrix, parts_table, with_times, write_page  # noqa: E402
+from subjects import parts_finding, write_subject  # noqa: E402
+from tables import PARTS_MESHES, REACH, edit_page, parts_matrix, parts_table, with_times, write_page  # noqa: E402
 from times import cell, timed_runs  # noqa: E402
 
 ASKED = "covers-points,covers-surface,parts-disjoint,parts-needed,parts-solid,parts-convex"
 COMPARED = ("parts-readable", "parts-finite", "parts-solid", "parts-convex", "covers-points", "covers-surface",
             "covers-solid", "within-solid", "parts-disjoint", "parts-needed")
-DISTANCE = "0.03d"
+DISTANCE = f"{REACH}d"
 
 
 def polycube(cells):
@@ -177,7 +178,7 @@ class Run:
         self.decompose()
         if self.options.asks and self.record["outcome"] == "output":
             self.verify()
-        if self.record["outcome"] != "time":
+        if not says_nothing(self.record["outcome"]):
             self.memory.keep(self.program.name, self.digest(), self.record, time.monotonic() - start)
 
     def decompose(self):
@@ -185,7 +186,7 @@ class Run:
         if self.outcome_file.exists() and not self.options.fresh and not self.program.is_ours():
             outcome, *before = self.outcome_file.read_text().split("\n")
             outcome = outcome if before == [identity] else "time"
-        if outcome == "time":
+        if says_nothing(outcome):
             start = time.monotonic()
             outcome = run_program(self.program, self.source, self.target, 0, self.options.time_limit)
             self.outcome_file.write_text(f"{outcome}\n{identity}")
@@ -242,6 +243,7 @@ def parse_options(arguments):
         options.program, options.table = [options.only], True
     if options.table or options.times:
         options.case = list(PARTS_MESHES)
+    options.suffix, options.shrink = "", 0  # for the pages of decomposers
     return options
 
 
@@ -292,6 +294,10 @@ def main(arguments=None):
     if options.page:
         matrix = parts_matrix(edit_page("decompositions", str.strip))
         edit_page("matrix", lambda old: matrix)
+    for program in (program for program in programs if not program.missing):
+        mine = [run for run in runs if run.program is program]
+        found = [parts_finding(program, run.record, run.source, run.target) for run in mine]
+        write_subject(options, program, [finding for finding in found if finding], len(mine))
     print(table)
     return report(records, [program for program in programs if program.missing], options)
 

@@ -2,6 +2,7 @@
 """What a run of ./dev field remembers, so that the next one resumes where it stopped and says before how long it will take."""
 import hashlib
 import json
+import os
 from pathlib import Path
 
 HERE = Path(__file__).parent
@@ -26,6 +27,13 @@ def bytes_of(path):
     return path.read_bytes() if path.exists() else b""
 
 
+def write_whole(path, text):
+    """At once, so that a run that is stopped leaves the old text or the new one."""
+    beside = path.with_name(f"{path.name}.{os.getpid()}")
+    beside.write_text(text)
+    beside.replace(path)
+
+
 class Memory:
     """Of one input: what was found of each program, as long as nothing that it depends on has changed.
 
@@ -46,7 +54,7 @@ class Memory:
     def keep(self, name, digest, found, seconds):
         """Beside what others have kept in the file since this one read it."""
         self.entries[name] = {"digest": digest, "found": found, "seconds": round(seconds, 3)}
-        self.path.write_text(json.dumps({**self.stored(), name: self.entries[name]}))
+        write_whole(self.path, json.dumps({**self.stored(), name: self.entries[name]}))
 
     def seconds(self, name):
         """That this took, or if it was never run, the median of what others took; None without any."""

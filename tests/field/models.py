@@ -96,7 +96,7 @@ def main():
     for mesh in meshes.values():
         folder = BUILD / "models" / mesh.stem
         shutil.rmtree(folder, ignore_errors=True)
-        folder.mkdir(parents=True)
+        (folder / "parts").mkdir(parents=True)  # a model may be written into the folder of parts only if it is there
         ran = run(arguments.convexact, "decompose", mesh, "--precision", "32", "--measures", "none", "-o", f"{folder}/parts/",
                   *(word for name in ("model.mjcf.xml", "model.urdf", "parts/model.urdf", "model.usda")
                     for word in ("-o", folder / name)))

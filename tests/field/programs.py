@@ -13,6 +13,7 @@ from dataclasses import dataclass
 from functools import lru_cache
 from pathlib import Path
 
+import warm
 from memory import digest_of
 
 HERE = Path(__file__).parent
@@ -49,8 +50,13 @@ class Program:
 PYTHON = {"scipy": "1.17.1", "trimesh": "5.2.0", "open3d": "0.20.0", "manifold3d": "3.5.4", "coal": "3.0.3", "pymeshlab": "2025.7.post1",
           "mujoco": "4.0.0", "pchs": "0.1.0", "libigl": "2.6.3", "drake": "1.51.1", "coacd": "1.0.14", "miniacd": "0.1.5",
           "vhacdx": "0.1.1", "pybullet": "3.2.7"}
+# What a package needs for some inputs and does not bring itself.
+PYTHON_NEEDS = {"trimesh": {"networkx": "3.6.1"}}
 PYTHON_PARTS = ("coacd", "miniacd", "vhacdx", "pybullet")
 PYTHON_HULLS = {**{name: name for name in PYTHON if name not in PYTHON_PARTS}, "mujoco-32": "mujoco"}
+# The five with the strongest claim to be used most: what programs in Python call for a hull, what tools for meshes, scans and
+# solids bring with them, and what a simulator makes of every mesh that it loads.
+MOST_USED = ("scipy", "trimesh", "open3d", "mujoco", "manifold3d")
 # Their boxes: halfspaces instead of faces.
 PYTHON_BOXES = {"trimesh-box": "trimesh", "open3d-box": "open3d", "open3d-least-box": "open3d"}
 PYTHON_NUMBERS = {"mujoco": "binary32", "mujoco-32": "binary32"}
@@ -202,26 +208,48 @@ def install_python(only):
         if only and {**PYTHON_HULLS, **PYTHON_BOXES}.get(only, only) != name:
             continue
         try:
-            peer_environment.require(peer_environment.environment(), name, version)
+            for package, pinned in {name: version, **PYTHON_NEEDS.get(name, {})}.items():
+                peer_environment.require(peer_environment.environment(), package, pinned)
         except peer_environment.Skipped as reason:
             print(f"{reason}: its programs will be skipped", file=sys.stderr)
 
 
 def run_program(program, source, target, faces, seconds):
-    """How it ended: 'output', 'refused N', 'no file', 'signal N' or 'time'."""
+    """How it ended: 'output', 'refused N', 'no file', 'signal N', 'time', or 'not started' and why."""
     target.unlink(missing_ok=True)
     seconds_of(target).unlink(missing_ok=True)
+    code = exit_code(program, program.words(source, target, faces), seconds)
+    if not isinstance(code, int):
+        return code
+    if code < 0:
+        return f"signal {-code}"
+    if code == 1 and program.origin == "python":
+        return "not started: an import failed"  # adapters end with another code if the package raises
+    if code:
+        return f"refused {code}"
+    return "output" if target.exists() else "no file"
+
+
+def says_nothing(outcome):
+    """Of a run that may end otherwise next time, so that it is not remembered: on a busy machine, or without a package."""
+    return outcome.startswith(("time", "not started"))
+
+
+def exit_code(program, words, seconds):
+    """Of one run, in a copy of a process that has imported the program's package, if there is one; or how else it ended."""
+    package = program.version.split(" ", maxsplit=1)[0]
+    if program.origin == "python" and package in warm.MODULES:
+        try:
+            code = warm.call(words[0], package, words[1:], seconds)
+            return "time" if code is None else code
+        except warm.Dead as fault:
+            return f"not started: {package} cannot be imported: {fault}"
     try:
-        done = subprocess.run(program.words(source, target, faces), capture_output=True, timeout=seconds, check=False)
+        return subprocess.run(words, capture_output=True, timeout=seconds, check=False).returncode
     except subprocess.TimeoutExpired:
         return "time"
     except OSError as fault:
         return f"not started: {fault}"
-    if done.returncode < 0:
-        return f"signal {-done.returncode}"
-    if done.returncode:
-        return f"refused {done.returncode}"
-    return "output" if target.exists() else "no file"
 
 
 def seconds_of(target):

@@ -20,9 +20,9 @@ from pathlib import Path
 sys.path.insert(0, str(Path(__file__).parent))
 from compare import Differences, ask_convexact, compare  # noqa: E402
 from judge import Input, judge_files  # noqa: E402
-from memory import Memory, bytes_of, digest_of, expectation, judges_digest  # noqa: E402
+from memory import Memory, bytes_of, digest_of, expectation, judges_digest, write_whole  # noqa: E402
 from mutate import mutations, obj_text, off_text, ply_bytes  # noqa: E402
-from programs import BUILD, NOT_HERE, ROOT, all_programs, own_seconds, run_program  # noqa: E402
+from programs import BUILD, MOST_USED, NOT_HERE, ROOT, all_programs, own_seconds, run_program, says_nothing  # noqa: E402
 from real_meshes import real_meshes  # noqa: E402
 from reading import Malformed, Mesh, NotFinite, read, vector_number  # noqa: E402
 from subjects import hull_finding, write_subject  # noqa: E402
@@ -56,9 +56,9 @@ def all_cases(wanted):
     return sorted((case for case in cases.values() if wanted in case[0]), key=lambda case: len(case[1]))
 
 
-def real_cases(wanted):
+def real_cases(wanted, count):
     """As all_cases(), of real meshes, and why others are missing. Files of STL repeat their points for each triangle."""
-    meshes, reasons = real_meshes()
+    meshes, reasons = real_meshes(count)
     cases = [(name, list(dict.fromkeys(mesh.points)), 18) for name, mesh in meshes if wanted in name]
     return sorted(cases, key=lambda case: len(case[1])), reasons
 
@@ -128,9 +128,9 @@ class Case:
                 self.prepare()
             start = time.monotonic()
             found = self.run(program)
-            if found[0]["outcome"] != "time":
+            if not says_nothing(found[0]["outcome"]):
                 self.memory.keep(program.name, self.digest_with(program), found, time.monotonic() - start)
-            self.outcomes_file.write_text(json.dumps(self.outcomes))
+            write_whole(self.outcomes_file, json.dumps(self.outcomes))
         return found
 
     def input_for(self, numbers):
@@ -170,7 +170,7 @@ class Case:
     def run(self, program):
         target = self.target_of(program)
         outcome, identity = self.outcomes.get(program.name, ("time", ""))
-        if outcome == "time" or identity != program.identity() or program.is_ours():
+        if says_nothing(outcome) or identity != program.identity() or program.is_ours():
             start = time.monotonic()
             outcome = run_program(program, self.source, target, self.faces, self.options.time_limit)
             self.outcomes[program.name] = outcome, program.identity()
@@ -245,7 +245,7 @@ def write_subjects(records, programs, work, options):
         mine = [record for record in records if record["program"] == program.name and record["tolerance"] is None]
         found = [hull_finding(program, record, BUILD / "out" / record["case"] / "input.obj", BUILD / record["file"], faces[record["case"]])
                  for record in mine]
-        write_subject(options.convexact, program, [finding for finding in found if finding], len(mine), options)
+        write_subject(options, program, [finding for finding in found if finding], len(mine))
 
 
 def table(records):
@@ -276,15 +276,21 @@ def parse_options(arguments):
     parser.add_argument("--mutants", type=int, default=1, help="outputs of each input to be damaged (default 1)")
     parser.add_argument("--every", type=int, default=1, help="only every Nth input (default 1)")
     parser.add_argument("--meshes", action="store_true", help="with --every: the meshes of tests/data in any case")
-    parser.add_argument("--real", action="store_true", help="real meshes of packages of robots instead of vectors and tests/data")
+    parser.add_argument("--real", metavar="COUNT", type=int, nargs="?", const=30, default=0,
+                        help="real meshes of packages of robots instead of vectors and tests/data: the first thirty of the list, or as "
+                        "many as COUNT, which is for the most used programs (" + ", ".join(MOST_USED) + ") if no other is named")
     parser.add_argument("--fresh", action="store_true", help="run all programs again, also where their output is there")
     parser.add_argument("--page", action="store_true", help="write the table into docs/field.md, too")
     parser.add_argument("--shrink", type=float, default=0, metavar="SECONDS",
                         help="reduce the worst input of each program, in so much time, for its page in build/field/subjects")
-    parser.add_argument("-o", dest="report", default=str(BUILD / "report.json"), help="the report as JSON")
+    parser.add_argument("-o", dest="report", help="the report as JSON (default: in build/field, report.json, report-real.json, ...)")
     options = parser.parse_args(arguments)
     if options.only:
         options.program, options.every, options.meshes, options.mutants = [options.only], 1 if options.real else 4, True, 0
+    options.suffix = "" if not options.real else "-real" if options.real <= 30 else f"-real-{options.real}"
+    options.report = options.report or str(BUILD / f"report{options.suffix}.json")
+    if options.real > 30 and not options.program:
+        options.program, options.mutants = list(MOST_USED), 0
     if options.page and options.case:
         parser.error("--page shows programs over a sample of all inputs, so not with --case")
     return options
@@ -294,7 +300,7 @@ def main(arguments=None):
     options = parse_options(arguments)
     options.convexact = str(Path(options.convexact).resolve())
     options.digest = judges_digest(bytes_of(Path(options.convexact)), options.most, options.verify_limit)
-    cases, skipped = real_cases(options.case) if options.real else (all_cases(options.case), {})
+    cases, skipped = real_cases(options.case, options.real) if options.real else (all_cases(options.case), {})
     work = [(*case, options) for number, case in enumerate(cases)
             if number % options.every == 0 or (options.meshes and case[0] in MESHES)]
     skipped.update({program.name: program.missing for program in all_programs(options.convexact)
@@ -313,7 +319,7 @@ def main(arguments=None):
     differing = [record for record in records if record["differences"]]
     Path(options.report).write_text(json.dumps({"skipped": skipped, "records": records}, indent=1) + "\n")
     everything = all_programs(options.convexact)
-    write_page("real" if options.real else "hulls", hull_table(records, everything, len(work), options.real), options.page,
+    write_page(options.suffix[1:] or "hulls", hull_table(records, everything, len(work), options.real), options.page,
                [program.name for program in everything])
     write_subjects(records, programs, work, options)
     print(table(records))
@@ -322,7 +328,8 @@ def main(arguments=None):
             print(f"{kind}: {record['file']} {record['tolerance'] or ''}: {claim}: {sentence}")
     for name, reason in {**skipped, **({} if options.program else NOT_HERE)}.items():
         print(f"skipped: {name}: {reason}")
-    print(f"{len(records)} verdicts on {len(work)} inputs, {len(differing)} differ; {options.report}")
+    verdicts = sum(record["outcome"].startswith("exit") for record in records)
+    print(f"{verdicts} verdicts of both judges on {len(work)} inputs, {len(differing)} differ; {options.report}")
     return 1 if differing else 0
 
 

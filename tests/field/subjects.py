@@ -8,6 +8,7 @@ import time
 from dataclasses import dataclass, field
 
 from programs import BUILD, ROOT
+from tables import percent, relative_distance, uncovered_share
 
 FOLDER = BUILD / "subjects"
 MOST = 5  # inputs of one page
@@ -54,6 +55,38 @@ def hull_finding(program, record, source, target, faces):
     if found["planar"] is not None and not found["convex"]:
         return Finding(4, 0, record["case"], "faces that are not closed, outward and convex, to the last bit", source, faces, words,
                        verify, verdict("mesh-convex"))
+    return None
+
+
+def parts_finding(program, record, source, target):
+    """Of a decomposer, without a tolerance; parts that overlap are no fault, since no program promises that they do not."""
+    words, outcome = program.words(source, target, 0), record["outcome"]
+    numbers = ["--numbers", "binary32"] if program.numbers == "binary32" else []
+
+    def finding(rank, size, sentence, *claims):
+        verify = ["verify", str(source), str(target), "--union", "--claims", ",".join(claims), *numbers] if claims else []
+        return Finding(rank, size, record["case"], sentence, source, 0, words, verify)
+    if outcome != "output":
+        rank = next((rank for rank, word in enumerate(("signal", "no file", "time")) if outcome.startswith(word)), None)
+        said = {"time": "no answer in time", "no file": "an empty result, and no error"}.get(outcome, f"{outcome} ended the process")
+        return None if rank is None else finding(rank, 0, said)
+    judge = record.get("judge")
+    if not judge:
+        return None
+    share, distance = uncovered_share(record), relative_distance(judge)
+    surface = f"; {percent(share)} of the surface in no part" if share else ""
+    if judge["points_outside"]:
+        return finding(3, distance, f"{judge['points_outside']} of {judge['points']} points in no part, the worst by {distance:.2g} of the "
+                       f"diameter{surface}", "covers-points", "covers-surface")
+    if share:
+        return finding(4, share, f"all points in a part{surface}", "covers-surface")
+    if judge["claims"].get("covers-solid") is False:
+        return finding(5, 0, "the surface in the parts, but not all of the solid", "covers-solid")
+    if judge["parts_not_solid"]:
+        return finding(6, len(judge["parts_not_solid"]), f"{len(judge['parts_not_solid'])} parts without a volume", "parts-solid")
+    if judge["parts_not_convex"]:
+        return finding(7, len(judge["parts_not_convex"]), f"{len(judge['parts_not_convex'])} parts whose faces are not closed, outward "
+                       "and convex, to the last bit", "parts-convex")
     return None
 
 
@@ -112,13 +145,13 @@ def section(convexact, program, finding, options):
     return "\n".join(lines)
 
 
-def write_subject(convexact, program, findings, inputs, options):
-    """The page of one program, another one of real meshes; with options.shrink the worst finding that can be reduced is."""
+def write_subject(options, program, findings, inputs):
+    """The page of one program, others of real meshes; with options.shrink the worst finding that can be reduced is."""
     FOLDER.mkdir(parents=True, exist_ok=True)
-    shown, name = worst(findings), program.name + ("-real" if options.real else "")
+    shown, name, convexact = worst(findings), program.name + options.suffix, options.convexact
     parts = [f'<!doctype html><meta charset="utf-8"><title>{name}</title><style>{STYLE}</style>', f"<h1>{name}</h1>",
-             f"<p>{html.escape(program.version or 'this repository')}, {time.strftime('%Y-%m-%d')}: {inputs} inputs, "
-             f"{len(findings)} findings, the worst {len(shown)} below. The tolerance that it promises, or that is allowed to it: "
+             f"<p>{html.escape(program.version or 'this repository')}, {time.strftime('%Y-%m-%d')}: {inputs} inputs; "
+             f"findings: {len(findings)}, the worst {len(shown)} below. The tolerance that it promises, or that is allowed to it: "
              f"{html.escape(program.promise or 'none, so that its findings are measurements')}.</p>"]
     parts += [section(convexact, program, finding, options) for finding in shown]
     reducible = [finding for finding in shown if finding.shrink]

@@ -15,6 +15,7 @@ import programs  # noqa: E402
 import real_meshes  # noqa: E402
 import subjects  # noqa: E402
 import tables  # noqa: E402
+import warm  # noqa: E402
 from memory import Memory, digest_of, expectation  # noqa: E402
 
 
@@ -66,6 +67,26 @@ class Outputs(unittest.TestCase):
             self.assertNotEqual(program.identity(), before)
 
 
+class Copies(unittest.TestCase):
+    ADAPTER = """import os, sys, time
+def main(what):
+    {"writes": lambda: print("to nowhere"), "dies": os.abort, "waits": lambda: time.sleep(60), "raises": lambda: 1 / 0}[what]()
+    return 4 if "decimal" in sys.modules else 3
+"""
+
+    def test_each_call_has_a_process_of_its_own(self):
+        with tempfile.TemporaryDirectory() as folder:
+            script = Path(folder) / "an_adapter.py"
+            script.write_text(self.ADAPTER)
+            codes = [warm.call(sys.executable, "decimal", [script, what], seconds)
+                     for what, seconds in (("writes", 20), ("dies", 20), ("waits", 0.2), ("raises", 20), ("writes", 20))]
+        self.assertEqual(codes, [4, -6, None, 1, 4])
+
+    def test_a_package_that_cannot_be_imported(self):
+        with self.assertRaises(warm.Dead):
+            warm.call(sys.executable, "no_such_package", ["a"], 1)
+
+
 class Findings(unittest.TestCase):
     PROGRAM = programs.Program("p", ["p", "{input}", "{output}"], promise="1e-9d")
     GOOD = {"solid": True, "contains": True, "planar": True, "convex": True, "relative": None, "outside": 0}
@@ -94,14 +115,34 @@ class Findings(unittest.TestCase):
                          ["--fails-if", "verdict", "--claims", "contains-input"])
         self.assertEqual(self.finding("signal 11").shrink, ["--fails-if", "exit"])
 
+    JUDGED = {"points_outside": 0, "points": 8, "squared_distance": "0", "squared_diameter": "4", "parts_not_solid": [],
+              "parts_not_convex": [], "claims": {"covers-solid": None}}
+
+    def parts(self, outcome="output", **judged):
+        record = {"case": "c", "outcome": outcome, "judge": {**self.JUDGED, **judged}}
+        return subjects.parts_finding(self.PROGRAM, record, Path("i.obj"), Path("o.obj"))
+
+    def test_of_parts_the_deepest_gap_is_the_fault(self):
+        for none in (self.parts(), self.parts(uncovered_area_share=0.0), self.parts("refused 4"), self.parts("not started: no file")):
+            self.assertIsNone(none)
+        gap = self.parts(points_outside=2, squared_distance="1", uncovered_area_share=0.25)
+        self.assertEqual((gap.rank, gap.size, gap.sentence),
+                         (3, 0.5, "2 of 8 points in no part, the worst by 0.5 of the diameter; 25% of the surface in no part"))
+        self.assertEqual(gap.verify[-2:], ["--claims", "covers-points,covers-surface"])
+        self.assertEqual(self.parts(uncovered_area_share=0.25).rank, 4)
+        self.assertEqual(self.parts(claims={"covers-solid": False}).rank, 5)
+        self.assertEqual(self.parts(parts_not_solid=[0, 3]).sentence, "2 parts without a volume")
+        self.assertEqual(self.parts("signal 6").sentence, "signal 6 ended the process")
+
 
 class RealMeshes(unittest.TestCase):
-    def test_thirty_pinned_files_of_pinned_packages(self):
+    def test_pinned_files_of_pinned_packages(self):
         listed = json.loads(real_meshes.LIST.read_text())
         for entry in (*listed["meshes"], *listed["packages"].values()):
             self.assertRegex(entry["sha256"], "^[0-9a-f]{64}$")
-        for key, count in (("name", 30), ("sha256", 30), ("package", len(listed["packages"]))):
+        for key, count in (("name", 300), ("sha256", 300), ("package", len(listed["packages"]))):
             self.assertEqual(len({entry[key] for entry in listed["meshes"]}), count)
+        self.assertEqual(len({entry["package"] for entry in listed["meshes"][:30]}), 5)
 
     def test_another_file_is_refused(self):
         empty = hashlib.sha256(b"").hexdigest()
@@ -117,6 +158,13 @@ class Pages(unittest.TestCase):
         new = "| a | b |\n| --- | ---: |\n| `two` | 22 |\n| `more` | 4 |"
         self.assertEqual(tables.with_old_rows(new, self.OLD, ["more", "one", "two"]),
                          "| a | b |\n| --- | ---: |\n| `more` | 4 |\n| `one` | 1 |\n| `two` | 22 |")
+
+    def test_rows_of_real_meshes_have_no_columns_of_bunny(self):
+        program = programs.Program("p", ["p"], version="p 1")
+        found = {**Findings.GOOD, "outward": True, "is_hull": True, "facets": 8, "mesh": False, "seconds": 0.5}
+        records = [{"program": "p", "case": "c", "found": found}]
+        for real, columns in ((0, len(tables.HULL_HEAD)), (30, len(tables.HULL_HEAD) - 2), (300, len(tables.HULL_HEAD) - 2)):
+            self.assertEqual({line.count(" | ") + 1 for line in tables.hull_table(records, [program], 1, real).split("\n")}, {columns})
 
     def test_an_empty_page_takes_all_rows(self):
         new = "| a | b |\n| --- | ---: |\n| `two` | 22 |"
@@ -138,10 +186,16 @@ class Pages(unittest.TestCase):
 
     def test_the_matrix_counts_meshes_and_faults(self):
         cells = {"parts": "2, 3", "points outside": "0, 1e-3%", "surface outside": "0, 0", "volume outside": "-, 0",
-                 "parts with faults": "8 flat, 12 pairs overlap"}
+                 "beyond, D": "0, 0.031", "parts with faults": "8 flat, 12 pairs overlap"}
         row = "| `a` | " + " | ".join(cells.get(name, "x") for name in tables.PARTS_HEAD[1:]) + " |"
         self.assertEqual(tables.parts_matrix(f"head\nrule\n{row}\n").split("\n")[2],
-                         "| `a` | 1 of 2 | all | 1 of 2 | 8 | 0 | 12 | 0 | 5 |")
+                         "| `a` | 1 of 2 | all | 1 of 2 | 1 of 2 | 8 | 0 | 12 | 0 | 5 |")
+
+    def test_reach_is_rounded_up_unless_the_claim_holds(self):
+        for status, high, shown in (("holds", 0.062, "0.03"), ("holds", 0.0402, "0.021"), ("violated", 0.06001, "0.031"), ("violated", 0.25, "0.13")):
+            record = {"judge": {"squared_diameter": "4"},
+                      "answer": {"measures": {"union_to_input": {"low": 0.0, "high": high}}, "claims": [{"code": "within-solid", "status": status}]}}
+            self.assertEqual(tables.beyond(record), shown)
 
 
 class Memories(unittest.TestCase):

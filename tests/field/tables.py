@@ -7,6 +7,7 @@ import math
 import re
 import statistics
 import time
+from decimal import ROUND_CEILING, Context
 from fractions import Fraction
 
 from programs import BUILD, ROOT
@@ -34,6 +35,7 @@ def found_in(answer):
     distance = claims["contains-input"].get("witness", {}).get("distance", {})
     return {"solid": holds.get("candidate-solid", False), "contains": holds.get("contains-input", False),
             "planar": holds.get("mesh-planar"), "facets": answer.get("candidate", {}).get("facets"),
+            "outward": all(holds.get(name) for name in ("mesh-closed", "mesh-oriented")),
             "convex": all(holds.get(name) for name in ("mesh-closed", "mesh-oriented", "mesh-convex")),
             "is_hull": claims.get("is-hull", {}).get("status") == "holds",
             "outside": answer.get("outside", {}).get("points"), "relative": distance.get("relative")}
@@ -76,13 +78,14 @@ def hull_row(program, found, inputs):
     small_times = [f["seconds"] for f in found if f["seconds"] is not None and not f["mesh"]]
     return [f"`{program.name}`", program.version or "this one", f"{inputs}; {time.strftime('%Y-%m-%d')}", str(len(found)), said(len(solid), len(found)),
             said(len(solid) - len(missing), len(solid)) if solid else "-", small(worst), promise, hulls,
+            said(sum(bool(f["outward"]) for f in found), len(found)) if planar else "-",
             said(sum(bool(f["convex"]) for f in found), len(found)) if planar else "-",
             said(sum(planar), len(planar)) if planar else "-", short_time(statistics.median(small_times) if small_times else None),
             shown_times or "-", facets or "-"]
 
 
 HULL_HEAD = ["program", "package", "inputs; date", "outputs", "solid", "hold the input", "farthest outside, D", "within its promise",
-             "are the hull", "convex", "planar", "median time", "time: bunny, spot, teapot", "facets"]
+             "are the hull", "outward", "convex", "planar", "median time", "time: bunny, spot, teapot", "facets"]
 
 
 def hull_table(records, programs, inputs, real=False):
@@ -91,7 +94,7 @@ def hull_table(records, programs, inputs, real=False):
     for record in records:
         if record["found"] and "seconds" in record["found"]:
             by_name.setdefault(record["program"], []).append({"case": record["case"], **record["found"]})
-    columns = len(HULL_HEAD) - 2 * real
+    columns = len(HULL_HEAD) - (2 if real else 0)
     rows = [hull_row(program, by_name[program.name], inputs)[:columns] for program in programs if program.name in by_name]
     return markdown(HULL_HEAD[:columns], rows, left=2)
 
@@ -165,23 +168,43 @@ def volume_share(measures, name):
     return percent(max(middle(measures[name]), 0.0) / middle(measures["solid_volume"]))
 
 
+def uncovered_share(record):
+    """Of the surface, in no part, by convexact, or by the judge alone; None if neither says."""
+    measures = (record.get("answer") or {}).get("measures", {})
+    return middle(measures["uncovered_area_share"]) if "uncovered_area_share" in measures else record["judge"].get("uncovered_area_share")
+
+
+def beyond(record):
+    """How far the parts reach beyond the input's solid at most, in diameters, rounded up; REACH if that is proven to be enough."""
+    answer, judge = record.get("answer") or {}, record["judge"]
+    bounds = answer.get("measures", {}).get("union_to_input")
+    if not bounds:
+        return "-"
+    relative = bounds["high"] / root(Fraction(judge["squared_diameter"]))
+    held = any(claim["code"] == "within-solid" and claim["status"] == "holds" for claim in answer["claims"])
+    bound = min(relative, REACH) if held else relative
+    return small(float(Context(prec=2, rounding=ROUND_CEILING).create_decimal_from_float(bound)))
+
+
 def judged_cells(record):
     """Of one mesh, in the order of PARTS_HEAD from "parts" on; a word in the first one if there is nothing to judge."""
     if record["outcome"] != "output" or "judge" not in record:
         words = {"time": "over time", "output": "not judged"}.get(record["outcome"], record["outcome"])
-        return [words] + ["-"] * 8
+        return [words] + ["-"] * 9
     judge, measures = record["judge"], (record.get("answer") or {}).get("measures", {})
-    share = middle(measures["uncovered_area_share"]) if "uncovered_area_share" in measures else judge.get("uncovered_area_share")
+    share = uncovered_share(record)
     return [str(judge["parts"]), str(max(judge["facets"], default=0)), short_time(record["seconds"]),
             percent(judge["points_outside"] / judge["points"]), small(relative_distance(judge)), "-" if share is None else percent(share),
-            volume_share(measures, "uncovered_volume"), volume_share(measures, "excess_volume"),
+            volume_share(measures, "uncovered_volume"), volume_share(measures, "excess_volume"), beyond(record),
             short_time(record.get("verdict_seconds"))]
 
 
+# How far parts may reach beyond the solid, in diameters, for the matrix.
+REACH = 0.03
 # The meshes of the table; each cell has their values in this order.
 PARTS_MESHES = ("l", "plus", "cross", "torus", "spot", "cow")
 PARTS_HEAD = ["decomposer", "package", "date", "parts", "most facets", "its time", "points outside", "farthest, D", "surface outside",
-              "volume outside", "excess volume", "verdict's time", "parts with faults"]
+              "volume outside", "excess volume", "beyond, D", "verdict's time", "parts with faults"]
 
 
 def parts_row(program, records):
@@ -213,11 +236,14 @@ def matrix_row(cells):
         found = re.search(rf"(\d+) {words}", cells["parts with faults"])
         return found[1] if found else "0"
     parts = [int(word) for word in cells["parts"].split(", ") if word.isdigit()]
-    return [cells["decomposer"], held("points outside"), held("surface outside"), held("volume outside"), *map(count, FAULTS), str(sum(parts))]
+    reaches = cells["beyond, D"].split(", ")
+    near = said(sum(reach != "-" and float(reach) <= REACH for reach in reaches), len(reaches))
+    return [cells["decomposer"], held("points outside"), held("surface outside"), held("volume outside"), near, *map(count, FAULTS),
+            str(sum(parts))]
 
 
 def parts_matrix(table):
     """The table of decomposers in short, a column for each question."""
     rows = [[word.strip() for word in line.strip("| ").split(" | ")] for line in table.strip().split("\n")[2:]]
-    head = ["decomposer", "holds all points", "all of the surface", "the solid", *FAULTS, "parts"]
+    head = ["decomposer", "holds all points", "all of the surface", "the solid", "within 3% D of it", *FAULTS, "parts"]
     return markdown(head, [matrix_row(dict(zip(PARTS_HEAD, row))) for row in rows])
