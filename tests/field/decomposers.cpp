@@ -10,6 +10,7 @@
 #include <cstdio>
 #include <ctime>
 #include <fstream>
+#include <map>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -112,8 +113,15 @@ void run_hacd(const Mesh& mesh, bool all_vertices, Writer& writer) {
     std::vector<HACD::Vec3<long>> faces(hacd.GetNTrianglesCH(part));
     hacd.GetCH(part, corners.data(), faces.data());
     writer.begin_part(17);
-    for (const auto& corner : corners) writer.point(corner.X(), corner.Y(), corner.Z());
-    for (const auto& face : faces) writer.face(face.X(), face.Y(), face.Z());
+    // Points that no face uses are left out, as by all adapters: they would count as the part's.
+    std::map<long, long> index;
+    for (const auto& face : faces) {
+      for (const long k : {face.X(), face.Y(), face.Z()}) {
+        if (!index.emplace(k, index.size()).second) continue;
+        writer.point(corners[k].X(), corners[k].Y(), corners[k].Z());
+      }
+    }
+    for (const auto& face : faces) writer.face(index[face.X()], index[face.Y()], index[face.Z()]);
   }
 }
 

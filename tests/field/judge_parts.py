@@ -29,22 +29,31 @@ CLAIMS = ("parts-readable", "parts-finite", "parts-solid", "parts-convex", "cove
 
 
 def obj_parts(data, numbers):
-    """(name, Mesh) of each object or group that has faces, with the points that those use."""
-    points, groups = [], [("part_000", [])]
+    """(name, Mesh) of each object or group with the points that its faces use, and those under it that no face of the file uses;
+    of faces without an object, all points. An object without points is none."""
+    points, owners, groups = [], [], [("part_000", [])]
     for line in text_lines(data):
         words = words_of(line)
         if words[:1] == ["v"]:
             points.append(tuple(numbers.of_text(word) for word in words[1:4]))
+            owners.append(len(groups) - 1)
         elif words[:1] == ["f"]:
             groups[-1][1].append([obj_index(word, len(points)) for word in words[1:]])
         elif words[:1] in (["o"], ["g"]):
-            groups.append((" ".join(words[1:]), []))
-    parts = []
-    for name, faces in groups:
-        used = {corner: k for k, corner in enumerate(dict.fromkeys(c for face in faces for c in face))}
-        if any(not 0 <= corner < len(points) for corner in used):
-            raise Malformed("the index of a point that is not there")
-        if faces:
+            name = " ".join(words[1:])
+            if len(groups) == 1 or groups[-1][0] != name:  # the same name twice in a row is one part
+                groups.append((name, []))
+    corners = {corner for _, faces in groups for face in faces for corner in face}
+    if any(not 0 <= corner < len(points) for corner in corners):
+        raise Malformed("the index of a point that is not there")
+    loose, parts = {}, []
+    for k, owner in enumerate(owners):
+        if k not in corners and (owner > 0 or (len(groups) == 1 and corners)):
+            loose.setdefault(owner, []).append(k)
+    for number, (name, faces) in enumerate(groups):
+        own = (*(c for face in faces for c in face), *loose.get(number, ()))
+        used = {corner: k for k, corner in enumerate(dict.fromkeys(own))}
+        if used:
             parts.append((name, Mesh([points[c] for c in used], [[used[c] for c in face] for face in faces])))
     return parts
 

@@ -262,6 +262,12 @@ class Parts(unittest.TestCase):
             self.assertEqual((verdict.figures["parts"], verdict.claims["parts-needed"]), (2, False))
             path.write_text(cube)
             self.assertFalse(judge_part_files(unit((0, 0, 0)), path).claims["parts-readable"])
+            # Points under an object that no face uses are its own; the same name twice in a row is one part.
+            path.write_text(f"{cube}o a\nv 0.5 0.5 3\n{faces}o b\n{cube}o b\nv 0.5 0.5 9\n")
+            self.assertEqual(judge_part_files(unit((0, 0, 0)), path).figures["vertices"], [9, 9])
+            # Of faces without an object all points count.
+            path.write_text(f"{cube}v 0.5 0.5 3\n{faces}")
+            self.assertEqual(judge_part_files(unit((0, 0, 0)), path).figures["vertices"], [9])
             path.write_text(cube.replace("v 0.0", "v nan", 1) + faces)
             self.assertFalse(judge_part_files(unit((0, 0, 0)), path).claims["parts-finite"])
 
