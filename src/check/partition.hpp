@@ -41,8 +41,8 @@ class PartitionProof : public SurfaceProof {
     words_.end();
     return "proven: " + count(parts_.size(), " convex parts hold the ") +
            (is_closed_ ? "solid, all that the surface winds about, and its " : "surface, all ") +
-           count(triangles_.size(), " triangles, by ") + count(leaves_, " regions\n") + reach +
-           apart;
+           count(triangles_.size(), " triangles, by ") +
+           count(leaves_, leaves_ == 1 ? " region\n" : " regions\n") + reach + apart;
   }
 
   // (14) A part is the hull of its corners, whose facets follow.

@@ -137,7 +137,8 @@ class SurfaceProof {
     const std::size_t cells = proof.check(squared, parts);
     return "proven: no point of a part is farther than " + distance.get_str() +
            (is_share ? " of the diameter" : "") + " from the " +
-           (proof.has_inside() ? "solid" : "surface") + ", by " + count(cells, " cells\n");
+           (proof.has_inside() ? "solid" : "surface") + ", by " +
+           count(cells, cells == 1 ? " cell\n" : " cells\n");
   }
 
   Words words_;

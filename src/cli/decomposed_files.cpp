@@ -79,7 +79,7 @@ void add_files_of_one(FilesOfParts& out, const DecomposedObject& object,
     if (reach && reach->farther.empty() && !claims_reach(proof)) {
       out.notes.push_back(files.proof +
                           " does not claim the distance: this run proves it, but cells alone do "
-                          "not, or too many of them; with a larger --distance they do");
+                          "not, or too many of them; with a larger --distance they may");
     }
     out.files.emplace_back(files.proof, std::move(proof));
   }

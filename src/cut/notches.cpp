@@ -34,6 +34,15 @@ Sign side_of_triangle(const CutPoints& points, const Point& area, std::uint32_t 
   return points.side(CutPlane(triangle_plane(surface, triangle), points.frame()), p.value);
 }
 
+// A direction as integers of 16 bits; 0 if it is so short that it is none.
+RationalVector3 in_short_integers(const Point& direction) {
+  constexpr double kMost = 32767;
+  const double share = kMost / direction.lpNorm<Eigen::Infinity>();
+  RationalVector3 vector(0, 0, 0);
+  for (int k = 0; k < 3 && std::isfinite(share); ++k) vector[k] = std::lround(direction[k] * share);
+  return vector;
+}
+
 PointId opposite(const Triangle& triangle, PointId a, PointId b) {
   for (const PointId p : triangle) {
     if (p != a && p != b) return p;
@@ -98,23 +107,26 @@ std::vector<Halfspace> Notches::planes(const std::vector<NotchEdge>& notches) co
     const Edge& edge = edges_[it->second->edge];
     list.push_back(turned(triangle_plane(surface_, edge.left)));
     list.push_back(turned(triangle_plane(surface_, edge.right)));
-    list.push_back(bisector(edge, *it->second));
+    if (const auto plane = bisector(edge)) list.push_back(*plane);
   }
   return list;
 }
 
-Halfspace Notches::bisector(const Edge& edge, const NotchEdge& within) const {
+// It holds the edge exactly, else what lies on one side would reach a little around the edge: only
+// the direction across the edge is rounded.
+std::optional<Halfspace> Notches::bisector(const Edge& edge) const {
   const Point m = area_of(surface_, points_, edge.left).normalized(),
               n = area_of(surface_, points_, edge.right).normalized();
-  const Point low = points_.near(edge.low.value), high = points_.near(edge.high.value);
-  return plane_across(m - n, low + (within.from + within.to) / 2 * (high - low), points_.frame());
+  const Point along = points_.near(edge.high.value) - points_.near(edge.low.value);
+  const RationalPoint low = surface_.points[edge.low];
+  const RationalVector3 exact_edge = surface_.points[edge.high] - low;
+  const RationalVector3 normal = exact_edge.cross(in_short_integers(along.cross(m - n)));
+  if (normal.isZero()) return {};
+  return turned(Halfspace(normal, Rational(-normal.dot(low))));
 }
 
 Halfspace plane_across(const Point& direction, const Point& through, const NearFrame& frame) {
-  constexpr double kMost = 32767;
-  const Point scaled = direction * (kMost / direction.lpNorm<Eigen::Infinity>());
-  RationalVector3 normal;
-  for (int k = 0; k < 3; ++k) normal[k] = std::lround(scaled[k]);
+  const RationalVector3 normal = in_short_integers(direction);
   return turned(Halfspace(normal, Rational(-normal.dot(frame.point(through)))));
 }
 

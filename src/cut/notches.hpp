@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // notches.hpp - the edges at which a solid is concave, and the planes to cut it there.
 #pragma once
+#include <optional>
 #include <vector>
 
 #include "cut/leaf.hpp"
@@ -29,7 +30,7 @@ class Notches {
     std::uint32_t left, right;  // triangles
     double sharpness;           // 1 - c |c|
   };
-  Halfspace bisector(const Edge& edge, const NotchEdge& within) const;
+  std::optional<Halfspace> bisector(const Edge& edge) const;
 
   const Surface& surface_;
   const CutPoints& points_;

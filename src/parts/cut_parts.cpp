@@ -37,7 +37,8 @@ class PartCutter {
       : surface_(surface),
         winding_(winding),
         squared_(squared_distance),
-        squared_diameter_(bounding_box(surface.points).squared_diameter()),
+        box_(bounding_box(surface.points)),
+        squared_diameter_(box_.squared_diameter()),
         request_(request),
         log_(log) {
     if (request.max_excess && winding != nullptr) {
@@ -105,7 +106,12 @@ class PartCutter {
   // On stored numbers, so that nothing grows later.
   void merge(const Rational& squared, const std::vector<PointSet>& leaves, CutParts& made) const {
     const Watch watch = log_.watch(kMerge);
-    ReachLimit limit(surface_, winding_, squared);
+    std::vector<BoundingBox> boxes;
+    for (const PointSet& leaf : leaves) {
+      BoundingBox box = bounding_box(leaf);
+      if (is_far_out(box)) boxes.push_back(std::move(box));
+    }
+    ReachLimit limit(surface_, winding_, squared, boxes);
     std::vector<std::vector<Point>> pieces;
     for (const PointSet& leaf : leaves) {
       std::vector<Point>& near = pieces.emplace_back();
@@ -132,6 +138,13 @@ class PartCutter {
     made.cells = limit.cells();
   }
 
+  // Whether binary32 made a leaf larger than the frame of the surface alone, which has room for
+  // half of the surface's size on each side.
+  bool is_far_out(const BoundingBox& leaf) const {
+    const Rational room = box_.size().maxCoeff() / 4;
+    return (box_.low - leaf.low).maxCoeff() > room || (leaf.high - box_.high).maxCoeff() > room;
+  }
+
   // Whether the parts are still within the distance when they are stored as the request wants them,
   // and their volume within what is allowed.
   bool fits(const CutParts& made) {
@@ -154,6 +167,7 @@ class PartCutter {
   const Surface& surface_;
   const Winding* winding_;
   const Rational& squared_;
+  const BoundingBox box_;
   const Rational squared_diameter_;
   const DecomposeRequest& request_;
   StageLog& log_;

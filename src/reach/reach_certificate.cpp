@@ -14,7 +14,7 @@ class CertificateWriter {
   CertificateWriter(ReachCells& cells, std::span<const ConvexPart* const> parts, const Watch& watch)
       : cells_(cells), watch_(watch) {
     made_.slack = to_rational(kInnerSlack);
-    for (const ConvexPart* part : parts) near_.push_back(placed(*part));
+    for (std::size_t k = 0; k < parts.size(); ++k) near_.push_back(placed(*parts[k], k));
   }
 
   ReachCertificate write() {
@@ -42,14 +42,13 @@ class CertificateWriter {
   };
 
   // The part as the proof has it.
-  NearPart placed(const ConvexPart& part) {
+  NearPart placed(const ConvexPart& part, std::size_t number) {
     NearPart near(part, cells_.frame());
     // A flat part has no facets to name: directions alone show that it is elsewhere.
     if (!part.solid) return NearPart({near.vertices().begin(), near.vertices().end()});
     std::optional<InnerPart> inner = inner_part(cells_, near);
     if (!inner) return near;
-    made_.inner.push_back(
-        {near_.size(), cells_.frame().point(inner->middle), to_rational(inner->share)});
+    made_.inner.push_back({number, cells_.frame().point(inner->middle), to_rational(inner->share)});
     return std::move(inner->part);
   }
 

@@ -46,6 +46,7 @@ UNITS = {
     'src/fast/signs.hpp': ['tests/fast/plane_filter_test.cpp', *_ROUNDED, *_AUDIT],
     'src/fast/cap_volume.hpp': [_CAPS, 'src/fast/cap.cpp'],
     'src/fast/ring_determinants.hpp': [_CAPS, 'src/fast/cap.cpp'],
+    'src/fast/metric_cost.hpp': ['src/fast/metric_cost.cpp', *_AUDIT],
     'src/fast/keyed_queue.hpp': ['src/fast/filtered_loop.cpp'],
     'src/fast/filtered_loop.hpp': ['src/fast/filtered_loop.cpp', 'src/fast/engines.cpp', 'src/scene/part_runs.cpp'],
     'src/fast/float_loop_steps.hpp': ['src/fast/float_loop.cpp'],
