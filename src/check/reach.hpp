@@ -49,11 +49,12 @@ struct PlacedTriangle {
   // Whether it is at most in a side of the box of some points, or beyond it.
   bool is_beside(const std::vector<Vector>& points) const {
     for (std::size_t k = 0; k < 3; ++k) {
-      const auto [low, high] =
+      // (No structured binding: C++20 lets lambdas capture it, Clang 14 does not.)
+      const auto ends =
           std::minmax_element(points.begin(), points.end(),
                               [&](const Vector& a, const Vector& b) { return a[k] < b[k]; });
-      if (all_of([&](const Vector& x) { return x[k] <= (*low)[k]; })) return true;
-      if (all_of([&](const Vector& x) { return x[k] >= (*high)[k]; })) return true;
+      if (all_of([&](const Vector& x) { return x[k] <= (*ends.first)[k]; })) return true;
+      if (all_of([&](const Vector& x) { return x[k] >= (*ends.second)[k]; })) return true;
     }
     return false;
   }
