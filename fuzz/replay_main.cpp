@@ -10,6 +10,10 @@
 #include "convexact/io.hpp"
 #include "fuzz_target.hpp"
 
+#ifdef CONVEXACT_LIMB_POOL
+#include "limb_pool.hpp"
+#endif
+
 namespace {
 
 std::vector<std::filesystem::path> files_of(int count, char** arguments) {
@@ -28,6 +32,9 @@ std::vector<std::filesystem::path> files_of(int count, char** arguments) {
 }  // namespace
 
 int main(int count, char** arguments) {
+#ifdef CONVEXACT_LIMB_POOL
+  pool_limbs();
+#endif
   const FuzzTarget* const target = count > 1 ? FuzzTarget::find(arguments[1]) : nullptr;
   if (target == nullptr) {
     std::fprintf(stderr, "replay TARGET FILE-OR-FOLDER...; the targets are:\n");

@@ -3,7 +3,14 @@
 #define DOCTEST_CONFIG_IMPLEMENT
 #include <doctest/doctest.h>
 
+#ifdef CONVEXACT_LIMB_POOL
+#include "limb_pool.hpp"
+#endif
+
 int main(int argc, char** argv) {
+#ifdef CONVEXACT_LIMB_POOL
+  pool_limbs();
+#endif
   doctest::Context context;
 #ifdef CONVEXACT_SANITIZED
   context.addFilter("test-suite-exclude", "sweep");
