@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: MIT
+// links.js - links to the other lessons, where they can be reached: beside this one, if ./dev lessons put it there, and on
+// the page of convexact, which makes a lesson when it is asked for. Elsewhere their names stand alone.
+"use strict";
+
+// The page shows a lesson in a frame, under the address of a blob.
+const isOnPage = location.protocol === "blob:" && parent !== window;
+const hasOthers = isOnPage || document.documentElement.hasAttribute("data-others");
+
+// @param at  A file, and a step of it: polygon.html#polar.
+const toLesson = (at, words) => hasOthers ? `<a href="${at}">${words}</a>` : words;
+for (const link of document.querySelectorAll("[data-lesson]")) link.outerHTML = toLesson(link.dataset.lesson, link.innerHTML);
+
+if (isOnPage) addEventListener("click", event => {
+  const at = event.target.closest?.("a")?.getAttribute("href");
+  if (!/^\w+\.html/.test(at)) return;
+  event.preventDefault();
+  parent.postMessage({lesson: at}, "*");
+});
