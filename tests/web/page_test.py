@@ -181,7 +181,7 @@ def check_ready_lessons(page, screenshots):
             page.evaluate('document.querySelector("[data-lesson=cube]").click()')
         else:
             if link == "cube.html":
-                in_the_lesson(page, 'document.querySelector("#contents li:last-child a").click()')
+                in_the_lesson(page, """document.querySelector('#contents a[href="#space"]').click()""")
             wait_for_lesson(page, f"""!!document.querySelector('a[href="{link}"]')""")
             in_the_lesson(page, f"""document.querySelector('a[href="{link}"]').click()""")
         wait_for_sentence(page, f"^A lesson on {name}")

@@ -11,9 +11,12 @@ const hasOthers = isOnPage || document.documentElement.hasAttribute("data-others
 const toLesson = (at, words) => hasOthers ? `<a href="${at}">${words}</a>` : words;
 for (const link of document.querySelectorAll("[data-lesson]")) link.outerHTML = toLesson(link.dataset.lesson, link.innerHTML);
 
+// The frame may load nothing, not even a step of its own address, which it may only say that it is at.
 if (isOnPage) addEventListener("click", event => {
   const at = event.target.closest?.("a")?.getAttribute("href");
-  if (!/^\w+\.html/.test(at)) return;
+  if (!at) return;
   event.preventDefault();
-  parent.postMessage({lesson: at}, "*");
+  if (!at.startsWith("#")) return parent.postMessage({lesson: at}, "*");
+  history.replaceState(null, "", at);
+  dispatchEvent(new Event("hashchange"));
 });
