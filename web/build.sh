@@ -15,6 +15,8 @@ size_line() {
 build_module() {
   # Boost 1.74 derives from a class that C++20 has not.
   local flags="'-fwasm-exceptions', '-msimd128', '-msse2', '-DBOOST_NO_CXX98_FUNCTION_BASE', '-isystem', '$out/prefix/include'"
+  # The same bytes wherever it is compiled: no message of an assertion names this folder.
+  flags+=", '-ffile-prefix-map=$root/='"
   cat >"$out/cross.new" <<INI
 [binaries]
 c = '$out/bin/emcc'

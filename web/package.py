@@ -10,8 +10,6 @@ import shutil
 import subprocess
 import sys
 
-# The scripts of a lesson, in the order of src/teach/lesson_page.cpp.
-LESSON = ("rational", "pane", "record", "chapters", "removals", "film", "storing", "lesson")
 WEB = pathlib.Path(__file__).resolve().parent
 ROOT = WEB.parent
 
@@ -79,18 +77,11 @@ def hash_of(script):
     return "'sha256-" + base64.b64encode(hashlib.sha256(script.encode()).digest()).decode() + "'"
 
 
-def scripts_in_the_frame():
-    """The scripts on the pages that the module makes, which are shown in a frame of the page: pictures and lessons."""
-    pages, lesson = ROOT / "src" / "pages", ROOT / "src" / "teach" / "page"
-    texts = {name: (pages / path).read_text() for name, path in {"FACETS": "page/facets.js", "LIBRARY": "vendor/three.min.js",
-                                                                 "SHAPES": "page/shapes.js", "SCRIPT": "page/viewer.js"}.items()}
-    yield from scripts_on(pages / "page" / "viewer.html", texts)
-    yield from scripts_on(lesson / "lesson.html", {"SCRIPT": "".join((lesson / f"{name}.js").read_text() for name in LESSON)})
-
-
-def scripts_on(page, texts):
-    for script in re.findall(r"<script>(.*?)</script>", page.read_text(), re.S):
-        yield re.sub(r"@(\w+)@", lambda mark: texts[mark[1]], script)
+def scripts_in_the_frame(package):
+    """The scripts on the pages that the module makes, which are shown in a frame of the page: pictures and lessons. They
+    are the same for all shapes, so those of a few tell."""
+    pages = json.loads(subprocess.run(["node", WEB / "pages_of_the_module.mjs", package], check=True, capture_output=True).stdout)
+    return sorted({script for page in pages for script in re.findall(r"<script>(.*?)</script>", page, re.S)})
 
 
 def make_page(out):
@@ -106,7 +97,9 @@ def make_page(out):
         "WASM": base64.b64encode(gzip.compress(wasm, 9, mtime=0)).decode(),
         "WORKER": worker.replace("</", "<\\/"),
         "SCRIPT": script,
-        "HASHES": " ".join(map(hash_of, [script, *scripts_in_the_frame()])),
+        "HASHES": " ".join(map(hash_of, [script, *scripts_in_the_frame(out / "package")])),
+        # JSON spells a '<' of a text that way, too.
+        "LESSONS": json.dumps({path.stem: path.read_text() for path in sorted((ROOT / "docs" / "lessons").glob("*.obj"))}).replace("<", "\\u003c"),
     }
     page = re.sub(r"@([A-Z]+)@", lambda mark: texts[mark[1]], (source / "index.html").read_text())
     (out / "page").mkdir(exist_ok=True)

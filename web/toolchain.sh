@@ -109,7 +109,7 @@ bring_libraries() {
   [ -f "$prefix/lib/libgmp.a" ] || build_library gmp --disable-assembly ABI=standard
   [ -f "$prefix/lib/libmpfr.a" ] || build_library mpfr4 --with-gmp="$prefix" --disable-thread-safe --disable-decimal-float --disable-float128
   source_of pugixml
-  "$out/bin/em++" -O2 -fwasm-exceptions -c "$out/pugixml/src/pugixml.cpp" -o "$out/pugixml.o"
+  "$out/bin/em++" -O2 -fwasm-exceptions "-ffile-prefix-map=$root/=" -c "$out/pugixml/src/pugixml.cpp" -o "$out/pugixml.o"
   "$out/bin/emar" rcs "$prefix/lib/libpugixml.a" "$out/pugixml.o"
   cp "$out"/pugixml/src/*.hpp "$prefix/include"
   write_pc fmt "$(pkg-config --modversion fmt)" -DFMT_HEADER_ONLY

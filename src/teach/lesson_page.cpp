@@ -9,16 +9,10 @@
 namespace convexact {
 
 std::string lesson_page(std::string_view name, const Json& lesson) {
-  std::string script;
-  for (const std::string_view part :
-       {kRationalScript, kPaneScript, kRecordScript, kChaptersScript, kRemovalsScript, kFilmScript,
-        kStoringScript, kLessonScript}) {
-    script += part;
-  }
   return fill_page(kLessonPage, {{"TITLE", escaped_markup(as_utf8(std::string(name)))},
                                  {"STYLE", kLessonStyle},
                                  {"DATA", for_script_element(write_json(lesson))},
-                                 {"SCRIPT", script}});
+                                 {"SCRIPT", kLessonScript}});
 }
 
 }  // namespace convexact

@@ -10,6 +10,7 @@
 #include "simplify/run_names.hpp"
 #include "teach/lesson.hpp"
 #include "teach/lesson_page.hpp"
+#include "teach/plane_lesson.hpp"
 #include "wire/request_line.hpp"
 #include "wire/simplify_options.hpp"
 #include "wire/solid_request.hpp"
@@ -32,10 +33,11 @@ std::vector<CostMeasure> measures_in(const json& request) {
 }
 
 LessonRequest lesson_request_of(const json& request) {
-  require_known_keys(request,
-                     {"id", "name", "points", "planes", "triangles", "decimal", "numbers",
-                      "time_limit", "seed", "faces", "cost", "measures", "center", "precision"},
-                     "the request");
+  require_known_keys(
+      request,
+      {"id", "name", "points", "planes", "triangles", "decimal", "numbers", "time_limit", "seed",
+       "faces", "cost", "measures", "center", "precision", "plane"},
+      "the request");
   LessonRequest wanted;
   wanted.faces = count_in(request, "faces").value_or(wanted.faces);
   wanted.cost = choice_in(request, "cost", kCostMeasureNames).value_or(wanted.cost);
@@ -50,7 +52,16 @@ LessonRequest lesson_request_of(const json& request) {
   return wanted;
 }
 
+// Its page computes itself: it takes no option of an engine.
+std::string plane_lesson_answer(const json& request) {
+  require_known_keys(request, {"id", "name", "points", "triangles", "decimal", "numbers", "plane"},
+                     "a request for a lesson in the plane");
+  return write_json(
+      Json{{"page", plane_lesson_page(shape_in_request(request))}, {"left_out", Json::array()}});
+}
+
 std::string lesson_answer(const json& request, std::optional<double> time_limit) {
+  if (flag_in(request, "plane").value_or(false)) return plane_lesson_answer(request);
   LessonRequest wanted = lesson_request_of(request);
   const SceneObject input = shape_in_request(request);
   return in_time(time_limit_of(request, time_limit), "lesson", [&](const StageWatch& watch) {

@@ -13,7 +13,8 @@ namespace convexact {
 ///
 /// The shape, `name`, `decimal`, `numbers`, `time_limit` and `seed` are those of requests to
 /// simplify (solid_request.hpp); `faces`, `cost`, `measures`, `center` and `precision` are the
-/// options of teach. The title of the page is `name`.
+/// options of teach. The title of the page is `name`. With `plane` as true the page is
+/// plane_lesson_page(), and of the options only `name`, `decimal` and `numbers` are taken.
 /// @param time_limit  As in requests to the oracle.
 /// @par Cost          make_lesson().
 [[nodiscard]] std::string answer_lesson_request(std::string_view line,

@@ -119,18 +119,12 @@ std::string plane_lesson_page(const SceneObject& object) {
   }
   const bool is_about_parts = !object.polygons.empty();
   const std::string name = as_utf8(std::filesystem::path(object.name).filename().string());
-  std::string script;
-  for (const std::string_view part : {kRationalScript, kPolygonScript, kPlanePageScript,
-                                      is_about_parts ? kPiecesScript : kPlaneScript,
-                                      is_about_parts ? kCutsScript : std::string_view()}) {
-    script += part;
-  }
   return fill_page(kPlanePage, {{"TITLE", escaped_markup(name)},
                                 {"SUBTITLE", is_about_parts ? "in few convex parts"
                                                             : "enclosed in few halfplanes"},
-                                {"STYLE", std::string(kLessonStyle) + std::string(kPlaneStyle)},
+                                {"STYLE", kPlaneStyle},
                                 {"DATA", for_script_element(write_json(Json{{"points", rows}}))},
-                                {"SCRIPT", script}});
+                                {"SCRIPT", is_about_parts ? kPartsScript : kHalfplanesScript}});
 }
 
 }  // namespace convexact

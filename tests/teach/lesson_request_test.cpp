@@ -8,6 +8,7 @@
 
 #include "teach/lesson.hpp"
 #include "teach/lesson_page.hpp"
+#include "teach/plane_lesson.hpp"
 
 using namespace convexact;
 using nlohmann::json;
@@ -43,6 +44,24 @@ TEST_CASE("lesson request: the page is that of the same lesson, and the id comes
 TEST_CASE("lesson request: a chapter that is left out has its reason") {
   const json answer = answered(cube(), {{"center", "1/2,1/2,1/3"}});
   CHECK(answer["left_out"][0]["chapter"] == "center");
+}
+
+TEST_CASE(
+    "lesson request: in the plane, points have the lesson on halfplanes, a face that on parts") {
+  const json triangle = {{"points", {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}}, {"plane", true}};
+  SceneObject object{.name = "input",
+                     .part = "input",
+                     .shape = PointSet({Point(0, 0, 0), Point(1, 0, 0), Point(0, 1, 0)}),
+                     .polygons = {}};
+  CHECK(answered(triangle, json::object())["page"] == plane_lesson_page(object));
+  object.polygons = {{0, 1, 2}};
+  const json answer = answered(triangle, {{"triangles", {{0, 1, 2}}}, {"id", 4}});
+  CHECK(answer["page"] == plane_lesson_page(object));
+  CHECK(answer["id"] == 4);
+  CHECK(answer["left_out"].empty());
+  const json with_faces = answered(triangle, {{"faces", 4}});
+  CHECK(with_faces["error"]["message"] ==
+        "expected only known keys in a request for a lesson in the plane, found 'faces'");
 }
 
 TEST_CASE("lesson request: faults name what was expected") {

@@ -1,7 +1,9 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""bundle_test.py - the example for Vite: installed from the package's file as users do it, bundled, and opened in headless
-Chromium; and a program of TypeScript against the package's types. Skipped where npm cannot bring Vite and TypeScript."""
+"""bundle_test.py - the package's file as a project takes it up: installed by npm, judged by publint and by Are The Types
+Wrong, compiled against by TypeScript, bundled by Vite, webpack and esbuild as its example says, and opened in headless
+Chromium under a policy that allows this origin alone; and without a bundler, from another origin. Skipped where npm
+cannot bring the tools."""
 import functools
 import http.server
 import json
@@ -18,68 +20,129 @@ from page_test import QuietHandler, wait_for  # noqa: E402
 
 WEB = HERE.parent.parent / "build" / "web"
 PLACE = WEB / "bundle"
-TOOLS = {"vite": "6.4.6", "typescript": "5.9.3"}
+TOOLS = {"vite": "6.4.6", "webpack": "5.113.0", "webpack-cli": "7.3.1", "esbuild": "0.28.2", "typescript": "5.9.3", "publint": "0.3.25",
+         "@arethetypeswrong/cli": "0.18.5"}
+# What a page with the package has to allow, and no more.
+POLICY = "default-src 'none'; script-src 'self' 'wasm-unsafe-eval'; worker-src 'self'; connect-src 'self'"
 
 
 def npm(*arguments):
     return subprocess.run(["npm", *arguments, "--no-audit", "--no-fund", "--loglevel=error"], cwd=PLACE, timeout=300).returncode == 0
 
 
-def install():
+def install(packed):
     """The tools once, the package anew each time. Whether there are tools."""
-    PLACE.mkdir(exist_ok=True)
-    if not (PLACE / "node_modules" / "vite").is_dir() or not (PLACE / "node_modules" / "typescript").is_dir():
-        (PLACE / "package.json").write_text(json.dumps({"private": True, "type": "module", "devDependencies": TOOLS}))
+    wanted = json.dumps({"private": True, "type": "module", "devDependencies": TOOLS})
+    if not (PLACE / "complete").is_file() or (PLACE / "complete").read_text() != wanted:
+        PLACE.mkdir(exist_ok=True)
+        (PLACE / "package.json").write_text(wanted)
         if not npm("install"):
             return False
-    packed, = WEB.glob("convexact-*.tgz")
+        (PLACE / "complete").write_text(wanted)
     shutil.rmtree(PLACE / "node_modules" / "convexact", ignore_errors=True)
     assert npm("install", "--offline", "--no-save", str(packed)), "npm install FILE"
     return True
 
 
-def run_tool(name, *arguments):
-    ran = subprocess.run(["node", PLACE / "node_modules" / name, *arguments], cwd=PLACE, capture_output=True, text=True, timeout=300)
-    assert ran.returncode == 0, ran.stdout + ran.stderr
+def run(*command):
+    ran = subprocess.run(command, cwd=PLACE, capture_output=True, text=True, timeout=300)
+    assert ran.returncode == 0, f"{command}: {ran.stdout}{ran.stderr}"
+
+
+def check_package(packed):
+    run("npx", "publint", str(packed), "--strict")
+    # It is an ES module, which require() takes in Node 20.19 and newer, and import() everywhere.
+    run("npx", "attw", str(packed), "--ignore-rules", "cjs-resolves-to-esm", "--exclude-entrypoints", "convexact.wasm")
+    (PLACE / "required.cjs").write_text("""
+      const {default: convexact, toNumber} = require("convexact");
+      convexact().then(cx => cx.hull([[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]], {exact_values: true}))
+        .then(hull => { if (toNumber(hull.volume.exact) !== 1 / 6) process.exit(1); });""")
+    run("node", "required.cjs")
 
 
 def check_types():
     shutil.copy(HERE / "types.ts", PLACE)
-    run_tool("typescript/bin/tsc", "--noEmit", "--strict", "--target", "es2022", "--module", "nodenext", "--lib", "es2022", "types.ts")
+    for module in (["nodenext"], ["esnext", "--moduleResolution", "bundler"]):
+        run("npx", "tsc", "--noEmit", "--strict", "--target", "es2022", "--lib", "es2022", "--module", *module, "types.ts")
 
 
-def check_bundle():
-    example = PLACE / "node_modules" / "convexact" / "examples" / "vite"
+def bundles():
+    """Bundles the example by the commands on its top; the folders."""
+    example = PLACE / "node_modules" / "convexact" / "examples" / "bundle"
     for path in example.iterdir():
         shutil.copy(path, PLACE)
-    shutil.rmtree(PLACE / "dist", ignore_errors=True)
-    run_tool("vite/bin/vite.js", "build")
-    assert [path for path in (PLACE / "dist").rglob("*.wasm")], "the module is in the bundle"
+    comment = (example / "main.js").read_text().replace(" \\\n//", "")
+    for name in ("Vite", "webpack", "esbuild"):
+        command = next(line for line in comment.splitlines() if line.startswith(f"//   {name}")).split(None, 2)[2]
+        shutil.rmtree(PLACE / "dist", ignore_errors=True)
+        run("sh", "-c", command)
+        assert len(list((PLACE / "dist").rglob("*.wasm"))) == 1, f"{name}: the module is in the bundle, once"
+        shutil.rmtree(PLACE / f"dist-{name}", ignore_errors=True)
+        (PLACE / "dist").rename(PLACE / f"dist-{name}")
+        yield name, PLACE / f"dist-{name}"
 
 
-def check_page():
-    server = http.server.ThreadingHTTPServer(("127.0.0.1", 0), functools.partial(QuietHandler, directory=PLACE / "dist"))
+class StrictHandler(QuietHandler):
+    def end_headers(self):
+        self.send_header("Content-Security-Policy", POLICY)
+        super().end_headers()
+
+
+class OpenHandler(QuietHandler):
+    """As hosts of packages do: any page may load what it has."""
+
+    def end_headers(self):
+        self.send_header("Access-Control-Allow-Origin", "*")
+        super().end_headers()
+
+
+def server_of(folder, handler):
+    server = http.server.ThreadingHTTPServer(("127.0.0.1", 0), functools.partial(handler, directory=folder))
     threading.Thread(target=server.serve_forever, daemon=True).start()
+    return server
+
+
+def check_page(folder, wanted, handler=StrictHandler):
+    server = server_of(folder, handler)
     page = chromium.Page(f"http://127.0.0.1:{server.server_port}/index.html")
     answer = 'document.getElementById("answer").textContent'
-    wait_for(page, f'{answer} !== "…"', first="document.body.textContent")
-    assert page.evaluate(answer) == "4 facets, volume 0.1666666667; three points: no-interior", page.evaluate(answer)
+    wait_for(page, f'{answer} !== "…"', first="document.body.textContent + performance.getEntriesByType('resource').map(e => e.name)")
+    assert page.evaluate(answer) == wanted, page.evaluate(answer)
+    assert page.evaluate("crossOriginIsolated") is False  # so it needs no memory that threads share
+    wrong = [text for text in page.complaints if not text.startswith("asks the network for http://127.0.0.1:")]
+    assert wrong == [], wrong
     page.close()
     server.shutdown()
+
+
+def check_other_origin():
+    package = server_of(PLACE / "node_modules" / "convexact", OpenHandler)
+    folder = PLACE / "other-origin"
+    folder.mkdir(exist_ok=True)
+    (folder / "favicon.ico").touch()  # which a browser asks for
+    text = (PLACE / "node_modules" / "convexact" / "examples" / "page.html").read_text()
+    (folder / "index.html").write_text(text.replace("./node_modules/convexact/", f"http://127.0.0.1:{package.server_port}/"))
+    check_page(folder, "4 facets, volume 0.1666666667", QuietHandler)
+    package.shutdown()
 
 
 def main():
     if not (WEB / "package" / "convexact.wasm").is_file():
         print("skipped: no build/web, ./dev web makes it")
         return chromium.SKIPPED
-    if not shutil.which("npm") or not install():
-        print("skipped: npm cannot bring Vite and TypeScript")
+    packed, = WEB.glob("convexact-*.tgz")
+    if not shutil.which("npm") or not install(packed):
+        print(f"skipped: npm cannot bring {', '.join(TOOLS)}")
         return chromium.SKIPPED
+    check_package(packed)
     check_types()
-    check_bundle()
+    for name, folder in bundles():
+        if not chromium.is_missing():
+            check_page(folder, "4 facets, volume 0.1666666667; three points: no-interior; tetrahedra right: true")
+        print(f"a bundle of {name}")
     if not chromium.is_missing():
-        check_page()
-    print("the package in TypeScript and in a bundle of Vite")
+        check_other_origin()
+    print("the package: publint, Are The Types Wrong, TypeScript, require(), from another origin")
     return 0
 
 

@@ -7,7 +7,7 @@ import {mkdtempSync, readdirSync, readFileSync, rmSync, writeFileSync} from "nod
 import {tmpdir} from "node:os";
 import {join} from "node:path";
 import {pathToFileURL} from "node:url";
-import {data, web} from "./support.mjs";
+import {data, folder, web} from "./support.mjs";
 
 const place = mkdtempSync(join(tmpdir(), "convexact-"));
 process.on("exit", () => rmSync(place, {recursive: true}));
@@ -151,6 +151,9 @@ const claims = {
     const printed = execFileSync("node", [join(installed, "examples", "node.mjs")], {cwd: place, encoding: "utf8", timeout: 60000});
     assert.match(printed, /^6 facets, volume 1\n8 halfspaces/);
     assert.match(printed, /\nfalse .*\nno-interior /);
+  },
+  "no folder of the machine that compiled it is in the module": () => {
+    assert.ok(!readFileSync(join(installed, "convexact.wasm"), "latin1").includes(join(folder, "..")));
   },
   "what is linked in is named": () => {
     assert.match(readFileSync(join(installed, "NOTICE.md"), "utf8"), /gmp_[0-9.]+.*\n- `mpfr4_/);

@@ -151,6 +151,52 @@ def check_lesson(page, screenshots):
         page.screenshot(screenshots / "lesson.png", whole=False)
 
 
+def in_the_lesson(page, expression):
+    """The value of an expression in the frame of the picture, which is a process of its own; None while it is loaded."""
+    try:
+        frame, = [target for target in page.browser.call("Target.getTargets", filter=[{"type": "iframe"}])["targetInfos"]
+                  if target["browserContextId"] == page.context]
+        session = page.browser.call("Target.attachToTarget", targetId=frame["targetId"], flatten=True)["sessionId"]
+        return page.browser.call("Runtime.evaluate", session, expression=expression, returnByValue=True)["result"].get("value")
+    except (RuntimeError, ValueError):
+        return None
+
+
+def wait_for_lesson(page, condition, seconds=20):
+    end = time.monotonic() + seconds
+    while not in_the_lesson(page, condition):
+        assert time.monotonic() < end, (condition, in_the_lesson(page, "location.href + document.body.innerText"))
+        time.sleep(0.05)
+
+
+def check_ready_lessons(page, screenshots):
+    """Each opens, and its links lead to the others, at the step that they name."""
+    for name in ("polygon", "cube", "pyramid", "needle", "bin"):
+        page.evaluate(f'document.querySelector("[data-lesson={name}]").click()')
+        assert wait_for_sentence(page, f"^A lesson on {name}").startswith(f"A lesson on {name}.obj")
+        wait_for_lesson(page, f'document.title.startsWith("{name}.obj") && document.querySelector("h2").textContent !== ""')
+    # The chain: the cube, the polygon at its step, the cube again, and the bin.
+    for link, name, step in (("cube", "cube", ""), ("polygon.html#polar", "polygon", "#polar"), ("cube.html", "cube", ""), ("bin.html", "bin", "")):
+        if link == "cube":
+            page.evaluate('document.querySelector("[data-lesson=cube]").click()')
+        else:
+            if link == "cube.html":
+                in_the_lesson(page, """document.querySelector('#contents a[href="#space"]').click()""")
+            wait_for_lesson(page, f"""!!document.querySelector('a[href="{link}"]')""")
+            in_the_lesson(page, f"""document.querySelector('a[href="{link}"]').click()""")
+        wait_for_sentence(page, f"^A lesson on {name}")
+        wait_for_lesson(page, f'document.title.startsWith("{name}.obj") && location.hash.startsWith("{step}")')
+    assert saved(page, "bin.html").startswith("<!DOCTYPE html>")
+    # Only lessons are made on a frame's request.
+    page.evaluate('postMessage({lesson: "cube.html"}, "*")')
+    in_the_lesson(page, 'parent.postMessage({lesson: "toString.html"}, "*"); parent.postMessage({lesson: {}}, "*")')
+    time.sleep(0.5)
+    assert page.evaluate(FIRST).startswith("A lesson on bin.obj"), page.evaluate(FIRST)
+    assert page.complaints == [], page.complaints
+    if screenshots:
+        page.screenshot(screenshots / "bin.png", whole=False)
+
+
 def check_faults(page):
     drop(page, ["broken.obj", "v 0 0 0\nv 1 2 x\n"])
     assert wait_for_sentence(page, "^broken") == "broken.obj:2: expected a number, found 'x'"
@@ -252,6 +298,7 @@ def main():
     check_parts(page, screenshots)
     check_files_of_bytes(page)
     check_lesson(page, screenshots)
+    check_ready_lessons(page, screenshots)
     assert page.complaints == [], page.complaints
     check_faults(page)
     check_cancel(page)
@@ -260,7 +307,7 @@ def main():
     check_phone(screenshots)
     check_no_connection(page)
     check_package()
-    print("the page: hull, verdict, enclosure, parts, GLB, a lesson, faults, cancel, a file of 100 MB, keys, a phone; no connection; the package")
+    print("the page: hull, verdict, enclosure, parts, GLB, lessons and their links, faults, cancel, a file of 100 MB, keys, a phone; no connection; the package")
     return 0
 
 

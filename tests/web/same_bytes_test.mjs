@@ -86,10 +86,11 @@ for (const [kind, lines] of Object.entries(requests)) {
 // The pages of lessons, which no request of the program asks for.
 const place = mkdtempSync(join(tmpdir(), "convexact-"));
 process.on("exit", () => rmSync(place, {recursive: true}));
-for (const name of ["cube", "pyramid", "needle"]) {
+for (const [name, options, ...words] of [["cube", {}], ["pyramid", {}], ["needle", {precision: 64}, "--precision", "64"],
+  ["polygon", {plane: true}, "--plane"], ["bin", {plane: true}, "--plane"]]) {
   const file = `${folder}../docs/lessons/${name}.obj`, page = join(place, "lesson.html");
-  execFileSync(program, ["teach", file, "--precision", "64", "-o", page]);
-  const request = {...JSON.parse(module.read(`${name}.obj`, readFileSync(file))), notes: undefined, name: `${name}.obj`, precision: 64};
+  execFileSync(program, ["teach", file, ...words, "-o", page]);
+  const request = {...JSON.parse(module.read(`${name}.obj`, readFileSync(file))), notes: undefined, name: `${name}.obj`, ...options};
   assert.equal(JSON.parse(module.answer("teach", JSON.stringify(request))).page, readFileSync(page, "utf8"), name);
 }
 assert.equal(different, 0);

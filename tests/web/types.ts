@@ -14,7 +14,7 @@ const file: string | Uint8Array | undefined = small.files?.["a.glb"];
 const inner = await cx.simplify(mesh, {inner: true, max_loss: "5%"});
 const kept: number[] = inner.output.points;
 const verdict = await cx.verify(points, {vertices: points}, {asks: "hull"});
-const page: string = (await cx.teach(points, {faces: 4})).page;
+const page: string = (await cx.teach(points, {faces: 4})).page + (await cx.teach(mesh, {plane: true})).page;
 const parts = await cx.decompose(mesh, {distance: "3%"});
 await cx.verify(mesh, parts, {distance: "3%"});
 const conformance = await cx.conform(given => given.slice(3), {asks: "hull", level: 1});
@@ -30,5 +30,7 @@ try {
 await cx.hull(points, {fases: 3});
 // @ts-expect-error: halfspaces have no vertices of the input
 await cx.simplify({planes: [[1, 0, 0, -1]]}, {inner: true, vertices: 7});
+// @ts-expect-error: a lesson in the plane removes nothing
+await cx.teach(points, {plane: true, faces: 4});
 // @ts-expect-error: no word of the list
 await cx.simplify(points, {faces: 6, cost: "width"});

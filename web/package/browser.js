@@ -4,8 +4,20 @@ import {Convexact} from "./client.js";
 export {ConvexactError} from "./client.js";
 export {toNumber} from "./requests.js";
 
+function newWorker() {
+  try {
+    return new Worker(new URL("./worker.js", import.meta.url), {type: "module"});
+  } catch (error) {
+    if (error.name !== "SecurityError") throw error;
+    // A page takes workers from its own origin only, but one of its own may import another's.
+    const from = new URL("worker.js", import.meta.url.replace(/[^/]*$/, "")), text = `import ${JSON.stringify(from.href)};`;
+    const url = URL.createObjectURL(new Blob([text], {type: "text/javascript"}));
+    return new Worker(url, {type: "module"});
+  }
+}
+
 function startWorker(take, fail) {
-  const worker = new Worker(new URL("./worker.js", import.meta.url), {type: "module"});
+  const worker = newWorker();
   worker.onmessage = event => take(event.data);
   worker.onerror = event => fail(event.message ?? "the worker cannot be started");
   return {send: message => worker.postMessage(message), end: () => worker.terminate()};

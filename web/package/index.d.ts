@@ -89,7 +89,10 @@ export interface TeachOptions extends Pick<Options, "decimal" | "numbers" | "nam
   measures?: ("volume" | "area" | "mean-width")[];
   center?: string;
   precision?: 64 | 32;
+  plane?: false;
 }
+/** In the plane: of points with one z the lesson on halfplanes, of one face the lesson on convex parts. */
+export interface PlaneLessonOptions extends Pick<Options, "decimal" | "numbers" | "name"> { plane: true }
 export interface VerifyOptions extends Options {
   asks?: "enclosure" | "hull" | "inner" | "simplify";
   /** Such as "1e-9", or "1e-9d" relative to the diameter. */
@@ -215,6 +218,7 @@ export interface Convexact {
   verify(shape: Shape, candidate: Candidate, options?: VerifyOptions): Promise<Verdict>;
   decompose(mesh: Mesh, options?: DecomposeOptions): Promise<Decomposition>;
   teach(shape: Shape, options?: TeachOptions): Promise<Lesson>;
+  teach(shape: Points | Mesh, options: PlaneLessonOptions): Promise<Lesson>;
   read(bytes: Uint8Array, name: string): Promise<{ points: Float64Array; triangles: number[][]; notes: string[] } | { planes: Exact[][] }>;
   conform(
     program: (points: Float64Array) => Candidate | Promise<Candidate>,

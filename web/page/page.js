@@ -64,13 +64,13 @@ function showDownloads(files) {
 
 const show = page => { $("picture").srcdoc = page; };
 
-// A lesson writes its step into its address, so it needs one of its own.
+// A lesson writes its step into its address, so it needs one of its own. @param step  Where it opens, such as "#polar".
 let lessonAt;
-function showLesson(page) {
+function showLesson(page, step = "") {
   URL.revokeObjectURL(lessonAt);
   lessonAt = URL.createObjectURL(new Blob([page], {type: "text/html"}));
   $("picture").removeAttribute("srcdoc");
-  $("picture").src = lessonAt;
+  $("picture").src = lessonAt + step;
 }
 
 // --- one job at a time
@@ -169,14 +169,35 @@ async function decompose(cx) {
   show(found.picture);
 }
 
-async function teach(cx) {
-  const lesson = await cx.teach(input.shape, {name: input.name, faces: Number($("left").value)});
-  say(`A lesson on ${input.name}, step by step`, ["The keys left and right go one step, once the lesson is clicked on. Saved, it opens from disk.",
+function sayLesson(name, lesson, file) {
+  say(`A lesson on ${name}, step by step`, ["The keys left and right go one step, once the lesson is clicked on. Saved, it opens from disk.",
     ...lesson.left_out.map(({chapter, why}) => `Without the chapter ${chapter}: ${why}.`)].join(" "));
   showNumbers([]);
-  showDownloads({[`${stem()}-lesson.html`]: lesson.page});
+  showDownloads({[file]: lesson.page});
+}
+
+async function teach(cx) {
+  const lesson = await cx.teach(input.shape, {name: input.name, faces: Number($("left").value)});
+  sayLesson(input.name, lesson, `${stem()}-lesson.html`);
   showLesson(lesson.page);
 }
+
+// The ready lessons whose inputs the page has, with their options. Lessons name each other as files.
+const readyLessons = {polygon: {plane: true}, bin: {plane: true}, cube: {}, pyramid: {}, needle: {precision: 64}};
+
+function openLesson(name, step) {
+  return run(`Writing the lesson ${name}`, async cx => {
+    const file = `${name}.obj`, {notes, ...shape} = await cx.read(new TextEncoder().encode(JSON.parse($("lessons").textContent)[name]), file);
+    const lesson = await cx.teach(shape, {name: file, ...readyLessons[name]});
+    sayLesson(file, lesson, `${name}.html`);
+    showLesson(lesson.page, step);
+  });
+}
+
+addEventListener("message", event => {
+  const [, name, step] = event.source === $("picture").contentWindow && /^(\w+)\.html(#[\w-]+)?$/.exec(event.data?.lesson) || [];
+  if (Object.hasOwn(readyLessons, name)) openLesson(name, step);
+});
 
 // JavaScript spells a double so that reading it gives the double again.
 function objOf(parts) {
@@ -238,6 +259,7 @@ const examples = {
 };
 
 for (const button of document.querySelectorAll("[data-example]")) button.onclick = () => examples[button.dataset.example]();
+for (const button of document.querySelectorAll("[data-lesson]")) button.onclick = () => openLesson(button.dataset.lesson);
 $("shape").onchange = () => takeFile($("shape").files[0], false);
 $("candidate").onchange = () => takeFile($("candidate").files[0], true);
 $("faces").oninput = () => { $("count").textContent = $("faces").value; };

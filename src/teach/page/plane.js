@@ -192,7 +192,7 @@ const chapters = [
         ["the cap is a triangle", "the cap is a polytope", "its volume is a sum over those triangles"],
         ["bounded or not: one sign", "bounded or not: one sign for each triangle", "one wrong sign, and triangles overlap or leave a gap: so signs are computed exactly"],
       ].map(cells => ({cells}))),
-      have: "Go on with <a href=\"cube.html\">the cube without a corner</a>, where every number still fits on the board."};
+      have: `Go on with ${toLesson("cube.html", "the cube without a corner")}, where every number still fits on the board.`};
   }},
 ];
 
