@@ -9,7 +9,7 @@
 namespace convexact {
 namespace {
 
-constexpr double kUnit = Roundoff<DoubleDouble>::kUnit;
+constexpr double kLongUnit = Roundoff<DoubleDouble>::kUnit;
 
 // One step of Newton's method from s = sqrt(x) (1 + e), |e| <= 2^-52: s + (x - s^2) / (2 s) is
 // sqrt(x) (1 + e^2 / (2 + 2 e)), off by less than 2^-104. The second term, at most 2^-52 sqrt(x),
@@ -20,7 +20,7 @@ DoubleDouble root(const DoubleDouble& x) {
   const DoubleDouble rest = x - DoubleDouble::product(s, s);
   return fast_two_sum(s, rest.hi() / (2 * s));
 }
-static_assert(0x1p-104 + 0x1p-103 <= kUnit);
+static_assert(0x1p-104 + 0x1p-103 <= kLongUnit);
 
 DoubleDouble scaled(const DoubleDouble& x, int exponent) {
   return {std::ldexp(x.hi(), exponent), std::ldexp(x.lo(), exponent)};
@@ -43,7 +43,7 @@ CostBounds<DoubleDouble> LongArea::bounds(const RingGeometry<DoubleDouble>& geom
                                           std::span<const RingTriangle> triangles) {
   using Number = Interval<DoubleDouble>;
   const std::size_t k = ring.size();
-  IntervalDeterminants<DoubleDouble> determinants(geometry, kUnit);
+  IntervalDeterminants<DoubleDouble> determinants(geometry, kLongUnit);
   sides_.assign(k, {0.0, 0.0});
   for_each_side_part(roof_, static_cast<std::uint32_t>(k), triangles, determinants,
                      [&](std::uint32_t side, const Number& part) {
@@ -58,7 +58,7 @@ CostBounds<DoubleDouble> LongArea::bounds(const RingGeometry<DoubleDouble>& geom
     is_certain = side.is_known;
     const Triple<DoubleDouble> across = side.direction - center.direction;
     const DoubleDouble squared = dot(across, across), versine = squared * DoubleDouble(0.5);
-    const DoubleDouble error = versine_error(std::sqrt(squared.hi()), kUnit);
+    const DoubleDouble error = versine_error(std::sqrt(squared.hi()), kLongUnit);
     const DoubleDouble least = versine - error;
     const Number weight{side.length * (is_positive(least) ? least : DoubleDouble(0.0)),
                         side.length * (versine + error)};
@@ -70,7 +70,7 @@ CostBounds<DoubleDouble> LongArea::bounds(const RingGeometry<DoubleDouble>& geom
   static_assert(ExponentRange<DoubleDouble>::kVolumeUnderflow ==
                 ExponentRange<double>::kVolumeUnderflow);
   const double tiny = ExponentRange<DoubleDouble>::kVolumeUnderflow;
-  const double slop = sum_slop(kOfTerm + k, kUnit) + sum_slop(k, kUnit);
+  const double slop = sum_slop(kOfTerm + k, kLongUnit) + sum_slop(k, kLongUnit);
   const DoubleDouble lower = sum.lower * (DoubleDouble(1.0) - slop) - tiny;
   return {Boundedness::Bounded, is_positive(lower) ? lower : DoubleDouble(0.0),
           sum.upper * (DoubleDouble(1.0) + slop) + tiny};

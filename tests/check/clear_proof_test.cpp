@@ -167,17 +167,19 @@ TEST_CASE("clear cells: nothing is clear inside of an open surface") {
 }
 
 TEST_CASE("clear cells: where parts fit the solid, a small distance takes no more of them") {
+  const Mesh corner = mesh_of_cells({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}});
   DecomposeRequest request;
   request.method = DecomposeMethod::Cut;
-  for (const char* share : {"1/10", "1/1000", "1/100000"}) {
-    request.distance = ConcavityLimit{parse_rational(share), true};
-    const ProofText proof(
-        proof_of_parts(mesh_of_cells({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}), request));
-    CHECK(proof.all("cell").size() < 100);
-    const CheckerVerdict verdict = check_proof(proof.text());
-    CAPTURE(verdict.said);
-    CHECK(verdict.exit_code == 0);
-    CHECK(verdict.said.find(std::string("no point of a part is farther than ") + share) !=
-          std::string::npos);
+  for (const Mesh& mesh : {corner, turned(corner)}) {
+    for (const char* share : {"1/10", "1/1000", "1/100000"}) {
+      request.distance = ConcavityLimit{parse_rational(share), true};
+      const ProofText proof(proof_of_parts(mesh, request));
+      CHECK(proof.all("cell").size() < 100);
+      const CheckerVerdict verdict = check_proof(proof.text());
+      CAPTURE(verdict.said);
+      CHECK(verdict.exit_code == 0);
+      CHECK(verdict.said.find(std::string("no point of a part is farther than ") + share) !=
+            std::string::npos);
+    }
   }
 }

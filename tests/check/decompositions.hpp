@@ -24,6 +24,17 @@ inline std::string proof_of_parts(const convexact::Mesh& mesh,
   return convexact::write_decomposition_proof(decomposed(mesh, request), request);
 }
 
+// A mesh of integers, turned and three times as large: along no edge of a cell.
+inline convexact::Mesh turned(convexact::Mesh mesh) {
+  std::vector<convexact::Point> points;
+  for (const convexact::Point& p : mesh.points.doubles()) {
+    points.emplace_back(2 * p[0] - 2 * p[1] + p[2], 2 * p[0] + p[1] - 2 * p[2],
+                        p[0] + 2 * p[1] + 2 * p[2]);
+  }
+  mesh.points = convexact::PointSet(std::move(points));
+  return mesh;
+}
+
 // A cube of side 4 whose top is dented to its middle, 1 deep: the other facets are farther away.
 inline convexact::Mesh dented_cube() {
   return {convexact::PointSet(std::vector<convexact::Point>{{0, 0, 0},

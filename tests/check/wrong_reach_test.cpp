@@ -19,14 +19,7 @@ using Line = std::vector<std::string>;
 // A slot of width 3 between two walls, turned: narrow enough to be filled at that distance, so that
 // a part reaches out of the solid, along edges that no plane of a cell is parallel to.
 Mesh slot() {
-  Mesh mesh = mesh_of_cells({{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {0, 0, 1}, {2, 0, 1}});
-  std::vector<Point> turned;  // and three times as large
-  for (const Point& p : mesh.points.doubles()) {
-    turned.emplace_back(2 * p[0] - 2 * p[1] + p[2], 2 * p[0] + p[1] - 2 * p[2],
-                        p[0] + 2 * p[1] + 2 * p[2]);
-  }
-  mesh.points = PointSet(std::move(turned));
-  return mesh;
+  return turned(mesh_of_cells({{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {0, 0, 1}, {2, 0, 1}}));
 }
 
 DecomposeRequest guarded() {
