@@ -166,11 +166,28 @@ TEST_CASE("clear cells: nothing is clear inside of an open surface") {
   check_refused(with_cells(bar_of(open), unit_cells(0)), 1, "the surface is not closed");
 }
 
+namespace {
+
+// An L, leaning: rounding bends its faces, and the plane between the facets at its notch holds no
+// point but those of the edge.
+Mesh leaning_corner() {
+  Mesh mesh = mesh_of_cells({{0, 0, 0}, {1, 0, 0}, {0, 0, 1}});
+  std::vector<Point> points;
+  for (const Point& p : mesh.points.doubles()) {
+    points.emplace_back(0.94 * p[0] + 0.35 * p[2], -0.06 * p[0] + 0.985 * p[1] + 0.16 * p[2],
+                        -0.34 * p[0] - 0.17 * p[1] + 0.92 * p[2]);
+  }
+  mesh.points = PointSet(std::move(points));
+  return mesh;
+}
+
+}  // namespace
+
 TEST_CASE("clear cells: where parts fit the solid, a small distance takes no more of them") {
   const Mesh corner = mesh_of_cells({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}});
   DecomposeRequest request;
   request.method = DecomposeMethod::Cut;
-  for (const Mesh& mesh : {corner, turned(corner)}) {
+  for (const Mesh& mesh : {corner, turned(corner), leaning_corner()}) {
     for (const char* share : {"1/10", "1/1000", "1/100000"}) {
       request.distance = ConcavityLimit{parse_rational(share), true};
       const ProofText proof(proof_of_parts(mesh, request));
