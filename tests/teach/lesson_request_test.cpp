@@ -51,7 +51,7 @@ TEST_CASE(
   const json triangle = {{"points", {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}}, {"plane", true}};
   SceneObject object{.name = "input",
                      .part = "input",
-                     .shape = PointSet({Point(0, 0, 0), Point(1, 0, 0), Point(0, 1, 0)}),
+                     .shape = PointSet(std::vector<Point>{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}),
                      .polygons = {}};
   CHECK(answered(triangle, json::object())["page"] == plane_lesson_page(object));
   object.polygons = {{0, 1, 2}};
