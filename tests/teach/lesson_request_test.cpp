@@ -49,10 +49,8 @@ TEST_CASE("lesson request: a chapter that is left out has its reason") {
 TEST_CASE(
     "lesson request: in the plane, points have the lesson on halfplanes, a face that on parts") {
   const json triangle = {{"points", {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}}, {"plane", true}};
-  SceneObject object{.name = "input",
-                     .part = "input",
-                     .shape = PointSet({Point(0, 0, 0), Point(1, 0, 0), Point(0, 1, 0)}),
-                     .polygons = {}};
+  const std::vector<Point> points = {Point(0, 0, 0), Point(1, 0, 0), Point(0, 1, 0)};
+  SceneObject object{.name = "input", .part = "input", .shape = PointSet(points), .polygons = {}};
   CHECK(answered(triangle, json::object())["page"] == plane_lesson_page(object));
   object.polygons = {{0, 1, 2}};
   const json answer = answered(triangle, {{"triangles", {{0, 1, 2}}}, {"id", 4}});
