@@ -35,8 +35,8 @@ cpu_family = 'wasm32'
 cpu = 'wasm32'
 endian = 'little'
 INI
-  # A file that is newer would have everything compiled again.
-  cmp -s "$out/cross.new" "$out/cross.ini" || mv "$out/cross.new" "$out/cross.ini"
+  # Meson reads flags once, so others need a folder anew; a file that is merely newer would have everything compiled again.
+  cmp -s "$out/cross.new" "$out/cross.ini" || { rm -rf "$out/module" && mv "$out/cross.new" "$out/cross.ini"; }
   [ -f "$out/module/build.ninja" ] || meson setup "$out/module" --cross-file "$out/cross.ini" -Dtests=false -Dpython=disabled \
     -Dunity=on -Dunity_size=40 -Db_pch=false
   ninja -C "$out/module" -j2 web/convexact.wasm

@@ -9,6 +9,7 @@
 #include <array>
 #include <atomic>
 #include <cmath>
+#include <cstdint>
 #include <string>
 #include <variant>
 #include <vector>
@@ -144,15 +145,15 @@ TEST_CASE("kept_cells: a sphere keeps the cells that integers keep") {
   // iff | |m| - R | <= sqrt(3) with R = 5 n / 8. With q = m.m + R^2 - 3, that is: |m|^2 + R^2 - 3
   // <= 2 R |m|, so q <= 0 or q^2 <= 4 R^2 m.m. All is integer after a multiplication by 64.
   const ImplicitShape sphere(implicit::Sphere{{0, 0, 0}, 5});
-  for (long depth = 3; depth <= 6; ++depth) {
+  for (std::int64_t depth = 3; depth <= 6; ++depth) {
     CAPTURE(depth);
-    const long n = 1L << depth, r = 5 * n;  // r = 8 R
+    const std::int64_t n = std::int64_t(1) << depth, r = 5 * n;  // r = 8 R
     std::vector<Cell> expected;
-    for (long i = 0; i < n; ++i) {
-      for (long j = 0; j < n; ++j) {
-        for (long k = 0; k < n; ++k) {
-          const long x = 2 * i + 1 - n, y = 2 * j + 1 - n, z = 2 * k + 1 - n;
-          const long m = 64 * (x * x + y * y + z * z), q = m + r * r - 192;
+    for (std::int64_t i = 0; i < n; ++i) {
+      for (std::int64_t j = 0; j < n; ++j) {
+        for (std::int64_t k = 0; k < n; ++k) {
+          const std::int64_t x = 2 * i + 1 - n, y = 2 * j + 1 - n, z = 2 * k + 1 - n;
+          const std::int64_t m = 64 * (x * x + y * y + z * z), q = m + r * r - 192;
           if (q > 0 && q * q > 4 * r * r * m) continue;
           expected.push_back({static_cast<std::uint32_t>(i), static_cast<std::uint32_t>(j),
                               static_cast<std::uint32_t>(k)});
