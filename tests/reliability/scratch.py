@@ -31,6 +31,7 @@ UNITS = {
     'src/check/convexact_check.cpp': ['tests/check/checker.cpp'],
     'src/check/mesh_file.hpp': ['tests/check/checker.cpp'],
     'src/check/reach.hpp': ['tests/check/checker.cpp'],
+    'src/check/placed.hpp': ['tests/check/checker.cpp'],
     'src/check/partition.hpp': ['tests/check/checker.cpp'],
     'src/check/text.hpp': ['tests/check/checker.cpp'],
     'src/check/exact.hpp': ['tests/check/checker.cpp'],
