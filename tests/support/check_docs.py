@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
 """Checks the documents: relative links lead to files and to headings in them, every citation key
-used in code or documents stands in docs/references.md, and every claim and note that the schemas
-name has a heading in docs/verdicts.md. Prints what is broken and exits 1 if anything is."""
+used in code or documents stands in docs/references.md, every claim and note that the schemas
+name has a heading in docs/verdicts.md, and no line is left of a merge. Prints what is broken and exits 1 if anything is."""
 import json
 import pathlib
 import re
@@ -10,6 +10,7 @@ import sys
 
 LINK = re.compile(r"\]\(([^)#:\s]*)(?:#([^)\s]*))?\)")
 KEY = re.compile(r"\[([A-Z][A-Za-z]*(?:[A-Z][a-z]+)*\d{4}[a-z]?)(?:, [^\]]*)?\]|\[(deBerg\d{4})(?:, [^\]]*)?\]")
+LEFT_OF_MERGE = re.compile(r"^(<{7}|>{7}) ", re.MULTILINE)
 FENCE = re.compile(r"^```.*?^```", re.MULTILINE | re.DOTALL)
 
 
@@ -42,7 +43,10 @@ def codes_of(schema):
 def main():
     broken = []
     for document in documents():
-        text = FENCE.sub("", document.read_text(encoding="utf-8"))
+        whole = document.read_text(encoding="utf-8")
+        text = FENCE.sub("", whole)
+        if LEFT_OF_MERGE.search(whole):
+            broken.append(f"{document}: both sides of a merge")
         for target, anchor in LINK.findall(text):
             path = document.parent / target if target else document
             if not path.exists():
