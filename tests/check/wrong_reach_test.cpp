@@ -67,7 +67,10 @@ TEST_CASE("reach proof: what is written is accepted, of every form of parts") {
   DecomposeRequest farther = guarded();
   farther.max_parts = 1;
   farther.distance = ConcavityLimit{Rational(1), false};
-  CHECK(check_proof(proof_of_parts(slot(), farther)).said.find("farther") == std::string::npos);
+  const std::string without = proof_of_parts(slot(), farther);
+  CHECK(check_proof(without).said.find("farther") == std::string::npos);
+  CHECK_FALSE(claims_reach(without));
+  CHECK(claims_reach(slot_proof().text()));
 }
 
 TEST_CASE("reach proof: a smaller distance, another root, other cells and directions are refused") {
