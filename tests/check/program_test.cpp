@@ -181,7 +181,7 @@ TEST_CASE("convexact-check: proofs of decompositions that the program wrote") {
 
 TEST_CASE("convexact-check: files that include nothing of ours but each other") {
   const std::filesystem::path folder = environment("CONVEXACT_CHECK_SOURCE");
-  std::size_t files = 0;
+  REQUIRE(std::filesystem::exists(folder / "convexact_check.cpp"));
   bool has_gmp = false;
   for (const auto& entry : std::filesystem::directory_iterator(folder)) {
     if (entry.path().extension() != ".cpp" && entry.path().extension() != ".hpp") continue;
@@ -196,9 +196,7 @@ TEST_CASE("convexact-check: files that include nothing of ours but each other") 
       CHECK(name.find('/') == std::string::npos);
       CHECK(std::filesystem::exists(folder / name));
     }
-    ++files;
   }
-  CHECK(files == 9);
   CHECK(has_gmp);
 }
 
