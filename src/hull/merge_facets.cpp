@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
 #include <numeric>
+#include <tuple>
 #include <vector>
 
 #include "hull/hull_steps.hpp"
@@ -135,19 +136,21 @@ class FacetMerging {
     }
   }
 
-  // Facets in the order of their corners, so that the hull does not depend on the seed.
+  // Facets in the order of their corners, so that the hull does not depend on the seed. The first two
+  // decide, as an edge has one facet on its left.
   Hull finish(const std::array<PointId, 4>& simplex) {
     Hull hull;
     for (std::size_t i = 0; i < sharp_degree_.size(); ++i) {
       if (is_extreme(PointId(i))) hull.vertices.push_back(chosen(PointId(i)));
     }
     std::sort(hull.vertices.begin(), hull.vertices.end());
-    std::vector<std::uint32_t> order(facets_.size());
-    std::iota(order.begin(), order.end(), 0u);
-    std::sort(order.begin(), order.end(), [&](std::uint32_t f, std::uint32_t g) {
-      return std::ranges::lexicographical_compare(facets_[f], facets_[g]);
-    });
-    for (const std::uint32_t f : order) hull.facets.push_back(facets_[f]);
+    std::vector<std::tuple<PointId, PointId, std::uint32_t>> order;
+    order.reserve(facets_.size());
+    for (std::uint32_t f = 0; f < facets_.size(); ++f) {
+      order.emplace_back(facets_[f][0], facets_[f][1], f);
+    }
+    std::sort(order.begin(), order.end());
+    for (const auto& [first, second, f] : order) hull.facets.push_back(facets_[f]);
     hull.certificate = {simplex, std::move(surface_.inside)};
     return hull;
   }

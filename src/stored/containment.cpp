@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
+#include <optional>
+#include <vector>
 
 #include "convexact/error.hpp"
 #include "convexact/geometry.hpp"
 #include "convexact/stored.hpp"
 #include "near/near_plane.hpp"
+#include "number/arithmetic.hpp"
 
 namespace convexact {
 namespace {
@@ -133,21 +136,25 @@ class OutsideSearch {
     return are;
   }
 
-  bool is_outside(const Halfspace& h, PointId id) const {
-    return is_double_[id.index()] ? side_of(h, points_.doubles()[id.index()]) == Sign::Positive
-                                  : h(points_[id]) > 0;
+  bool is_outside(const Halfspace& h, PointId id, std::optional<HomogeneousPoint>& integers) const {
+    if (is_double_[id.index()]) {
+      return side_of(h, points_.doubles()[id.index()]) == Sign::Positive;
+    }
+    if (!integers) integers = clear_denominators(points_[id]);
+    return plane_value(h, *integers) > 0;
   }
 
   void search_block(std::size_t first, std::size_t last) {
     const double largest = doubles_.largest_of(first, last);
     const Box box = box_of(first, last);
     std::vector<bool> outside(last - first, false);
+    std::vector<std::optional<HomogeneousPoint>> integers(last - first);  // of those that need them
     for (std::size_t i = 0; i < filters_.size(); ++i) {
       if (surely_inside(filters_[i], box)) continue;
       if (surely_inside(filters_[i], first, last, largest)) continue;
       for (std::size_t j = first; j < last; ++j) {
         if (outside[j - first] || surely_inside(filters_[i], j)) continue;
-        outside[j - first] = is_outside(halfspaces_[i], ids_[j]);
+        outside[j - first] = is_outside(halfspaces_[i], ids_[j], integers[j - first]);
       }
     }
     for (std::size_t j = first; j < last; ++j) {
