@@ -35,7 +35,7 @@ class PartitionProof : public SurfaceProof {
     for (std::size_t t = 0; t < triangles_.size(); ++t) {
       all.push_back({t, {triangles_[t].begin(), triangles_[t].end()}});
     }
-    read_node(box(), std::move(all), 0);
+    read_node(box(), all, 0);
     const std::string reach = read_reach(parts_);
     const std::string apart = read_apart();
     words_.end();

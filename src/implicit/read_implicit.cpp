@@ -47,7 +47,7 @@ struct JsonPlace {
     return list;
   }
   std::vector<JsonPlace> entries(std::size_t count) const {
-    const std::vector<JsonPlace> list = entries();
+    std::vector<JsonPlace> list = entries();
     if (list.size() != count) {
       refuse("a list of " + std::to_string(count) + ", found " + std::to_string(list.size()));
     }

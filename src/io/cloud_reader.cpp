@@ -60,14 +60,14 @@ Fields split_at_blanks(std::string_view line) {
 // The fields of a line, whatever separates them.
 Fields fields_of(std::string_view line, const TextCursor& cursor) {
   if (line.find(';') != line.npos) {
-    const Fields fields = split(line, ';');
+    Fields fields = split(line, ';');
     for (const std::string_view field : fields) {
       if (field.find(',') != field.npos) reject_decimal_comma(field, cursor);
     }
     return fields;
   }
   if (line.find(',') == line.npos) return split_at_blanks(line);
-  const Fields fields = split(line, ',');
+  Fields fields = split(line, ',');
   const bool has_blanks = std::any_of(fields.begin(), fields.end(), [](std::string_view field) {
     return field.find_first_of(" \t") != field.npos;
   });

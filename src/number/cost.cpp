@@ -27,7 +27,7 @@ template <class Compute>
 Enclosure enclose_narrowly(const Compute& compute, long precision) {
   constexpr long kSpareBits = 32, kMostBits = 1L << 16;
   for (long bits = precision + kSpareBits;; bits *= 2) {
-    const Enclosure value = compute(bits);
+    Enclosure value = compute(bits);
     const Rational low = value.low(), least = low > 0 ? low : -value.high();
     if (scale_by_power_of_two(value.width(), precision) <= least || bits > kMostBits) return value;
   }

@@ -202,7 +202,7 @@ bool is_count(const Parameter& p) {
 // A size of any order of magnitude between two positive numbers: exponents are equally likely.
 double any_magnitude(double least, double most, Random& random) {
   const int low = std::ilogb(least), high = std::ilogb(most);
-  const auto exponents = static_cast<std::uint64_t>(high - low + 1);
+  const auto exponents = static_cast<std::uint64_t>(high - low) + 1;
   const int exponent = low + static_cast<int>(uniform_below(random, exponents));
   return std::clamp(std::ldexp(1 + uniform_unit(random), exponent), least, most);
 }

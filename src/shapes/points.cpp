@@ -150,9 +150,10 @@ std::vector<Point> cospherical(std::uint32_t n, std::uint32_t squared_radius, st
 
 std::vector<Point> moment_curve(std::uint32_t n) {
   require_parameter(n >= 4 && n <= 100000, "the moment curve takes 4 to 10^5 points");
+  const std::uint32_t middle = n / 2;
   std::vector<Point> points;
   for (std::uint32_t i = 0; i < n; ++i) {
-    const double t = static_cast<double>(i) - n / 2;  // |t|^3 < 2^53, so every power is exact
+    const double t = static_cast<double>(i) - middle;  // |t|^3 < 2^53, so every power is exact
     points.emplace_back(t, t * t, t * t * t);
   }
   return points;
