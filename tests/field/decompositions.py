@@ -3,8 +3,8 @@
 """Runs the field's decomposers over meshes, and has two judges settle each set of parts.
 
 `convexact verify --union` and judge_parts.py, which shares nothing with it, decide about all claims. Exit code 1 if
-they differ anywhere. What is found goes to build/field/decompositions.md, a table, and with --page to docs/field.md, in place
-of the rows of these decomposers. A run says before how long it will take; it resumes where an earlier one stopped.
+they differ anywhere. What is found goes to build/field/decompositions.md, a table, and with --page to docs/results/field.md,
+in place of the rows of these decomposers. A run says before how long it will take; it resumes where an earlier one stopped.
 CONVEXACT_MESHES names a folder with more meshes (OBJ).
 """
 import argparse
@@ -227,7 +227,7 @@ def parse_options(arguments):
     parser.add_argument("--case", action="append", help="only this mesh; may be repeated")
     parser.add_argument("--program", action="append", help="only this decomposer; may be repeated")
     parser.add_argument("--only", metavar="NAME", help="one decomposer in minutes: --program NAME on the meshes of the table")
-    parser.add_argument("--table", action="store_true", help="only the meshes of the table in docs/field.md")
+    parser.add_argument("--table", action="store_true", help="only the meshes of the table in docs/results/field.md")
     parser.add_argument("--time-limit", type=float, default=300, help="seconds for one run of a decomposer (default 300)")
     parser.add_argument("--verify-limit", type=float, default=300, help="seconds for one verdict (default 300)")
     parser.add_argument("--most", type=int, default=7000,
@@ -236,7 +236,7 @@ def parse_options(arguments):
                         help="only time them on the meshes of the table, by the processor, each run followed by one of convexact-cut")
     parser.add_argument("--no-judge", action="store_true", help="ask convexact only")
     parser.add_argument("--fresh", action="store_true", help="run all decomposers again")
-    parser.add_argument("--page", action="store_true", help="write the tables into docs/field.md, too")
+    parser.add_argument("--page", action="store_true", help="write the tables into docs/results/field.md, too")
     parser.add_argument("-o", dest="report", default=str(BUILD / "decompositions.json"), help="the report as JSON")
     options = parser.parse_args(arguments)
     if options.only:

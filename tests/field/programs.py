@@ -3,6 +3,11 @@
 
 `programs.py install [NAME]` brings packages of the Python index, `programs.py kind NAME` says what a program writes (hulls or
 decompositions) and where it is from.
+
+To add a program, write an adapter that reads an OBJ and writes one: for npm a function in programs.mjs, for Python one in
+python_hulls.py, python_parts.py or python_boxes.py, for Rust one in crates.rs, for C++ a file like bullet.cpp. It writes the
+points that a face uses, and no others. Then add a line to the tables below, and the package to package.json, Cargo.toml or
+`prepare_debian` in dev.
 """
 import json
 import re

@@ -4,7 +4,7 @@
 
 `convexact verify` and judge.py, which shares nothing with it, decide about every output, and about
 deliberate damage to some. Exit code 1 if they differ anywhere. What is found of each program goes to
-build/field/hulls.md, a table, and with --page to docs/field.md, in place of the rows of these programs.
+build/field/hulls.md, a table, and with --page to docs/results/field.md, in place of the rows of these programs.
 A run says before how long it will take; it resumes where an earlier one stopped.
 """
 import argparse
@@ -280,7 +280,7 @@ def parse_options(arguments):
                         help="real meshes of packages of robots instead of vectors and tests/data: the first thirty of the list, or as "
                         "many as COUNT, which is for the most used programs (" + ", ".join(MOST_USED) + ") if no other is named")
     parser.add_argument("--fresh", action="store_true", help="run all programs again, also where their output is there")
-    parser.add_argument("--page", action="store_true", help="write the table into docs/field.md, too")
+    parser.add_argument("--page", action="store_true", help="write the table into docs/results/field.md, too")
     parser.add_argument("--shrink", type=float, default=0, metavar="SECONDS",
                         help="reduce the worst input of each program, in so much time, for its page in build/field/subjects")
     parser.add_argument("-o", dest="report", help="the report as JSON (default: in build/field, report.json, report-real.json, ...)")

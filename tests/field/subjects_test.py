@@ -42,7 +42,7 @@ class Subjects(unittest.TestCase):
             programs.kind("cuacd")
 
     def test_page_names_what_is_not_here(self):
-        page = tables.PAGE.read_text()
+        page = (programs.ROOT / "docs" / "field.md").read_text()
         for name in programs.NOT_HERE:
             subject = name.split("'")[0]
             self.assertTrue(f"| {subject}" in page, name)
@@ -165,6 +165,11 @@ class Pages(unittest.TestCase):
         records = [{"program": "p", "case": "c", "found": found}]
         for real, columns in ((0, len(tables.HULL_HEAD)), (30, len(tables.HULL_HEAD) - 2), (300, len(tables.HULL_HEAD) - 2)):
             self.assertEqual({line.count(" | ") + 1 for line in tables.hull_table(records, [program], 1, real).split("\n")}, {columns})
+
+    def test_the_page_has_a_place_for_each_table(self):
+        page = tables.PAGE.read_text()
+        for name in ("hulls", "real", "real-300", "matrix", "decompositions"):
+            self.assertRegex(page, rf"<!-- {name}: (?s:.*)<!-- end of {name} -->")
 
     def test_an_empty_page_takes_all_rows(self):
         new = "| a | b |\n| --- | ---: |\n| `two` | 22 |"

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""The tables of docs/field.md: what ./dev field found of hull programs and of decomposers, a row for each.
+"""The tables of docs/results/field.md: what ./dev field found of hull programs and of decomposers, a row for each.
 
 A row says what it was made of and when, so a run of some programs replaces their rows and leaves the others.
 """
@@ -12,7 +12,7 @@ from fractions import Fraction
 
 from programs import BUILD, ROOT
 
-PAGE = ROOT / "docs" / "field.md"
+PAGE = ROOT / "docs" / "results" / "field.md"
 
 
 def root(fraction):
@@ -104,7 +104,7 @@ def with_old_rows(text, old, names):
     head, rows = text.split("\n")[:2], {}
     before = old.strip().split("\n")
     if before[:2] != head and len(before) > 1:
-        raise ValueError("docs/field.md has other columns: run all programs")
+        raise ValueError("docs/results/field.md has other columns: run all programs")
     for line in before[2:] + text.split("\n")[2:]:
         rows[line.split("`")[1]] = line
     return "\n".join(head + [rows[name] for name in names if name in rows])
@@ -115,7 +115,7 @@ def edit_page(name, change):
     page = PAGE.read_text()
     marks = re.search(rf"(<!-- {name}: .*?-->\n)(.*?)(<!-- end of {name} -->)", page, re.DOTALL)
     if not marks:
-        raise ValueError(f"docs/field.md has no marks for {name}")
+        raise ValueError(f"docs/results/field.md has no marks for {name}")
     table = change(marks[2])
     PAGE.write_text(page[:marks.start()] + marks[1] + "\n" + table + "\n\n" + marks[3] + page[marks.end():])
     return table
