@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: MIT
-"""bench.py PROGRAM - the three ratios of docs/python.md, each side by side in this process: what a call costs above the
-library, a hull against scipy's, and conform on a function against starting it, and the program, for each input."""
+"""bench.py PROGRAM - the three ratios of docs/results/performance.md, each side by side in this process: what a call
+costs above the library, a hull against scipy's, and conform on a function against starting it, and the program, for
+each input."""
 import subprocess
 import sys
 import tempfile

@@ -27,7 +27,7 @@ HEAD = """# The figures of the paper, measured
 Made by `./dev reproduce all`. *The paper* is [Jacobson2026], *its program* is `pchs` 0.1.0 of the Python index, on the
 same doubles in the same run. Most of the paper's models are not at hand, so a number of other models is *as claimed*
 only within the interval that is named, *of the same order* within a wider one, and *differs* otherwise.
-[reproduce.md](../reproduce.md) tells what each experiment does, and has figures 8 (`capsule`) and 16 (`icosahedron`).
+[reproduce.md](../reproduce.md) tells what each experiment does, those of figures 8 (`capsule`) and 16 (`icosahedron`) included.
 
 """
 FIGURES = (('violin.svg', 'corpus.csv', 'What is added to the volume of the hull: each violin is a method, its line the median.'),
