@@ -136,8 +136,8 @@ class FacetMerging {
     }
   }
 
-  // Facets in the order of their corners, so that the hull does not depend on the seed. The first two
-  // decide, as an edge has one facet on its left.
+  // Facets in the order of their corners, so that the hull does not depend on the seed. The first
+  // two decide, as an edge has one facet on its left.
   Hull finish(const std::array<PointId, 4>& simplex) {
     Hull hull;
     for (std::size_t i = 0; i < sharp_degree_.size(); ++i) {
