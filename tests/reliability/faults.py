@@ -37,7 +37,7 @@ def caught_by(scratch, fault):
     """What caught a fault: (the compiler's message or '', the test or '', its case)."""
     _, _, old, new, tests = fault
     name, at = place_of(fault)
-    compiler = ''
+    compiler, is_asked = '', False
     for test in tests.split():
         scratch.build(test)
     try:
@@ -48,6 +48,7 @@ def caught_by(scratch, fault):
             for with_library in (False, True):
                 if not scratch.has_units(test, name, not with_library):
                     continue
+                is_asked = True
                 program, said = scratch.rebuild(test, name, with_library)
                 if not program:
                     compiler = 'static_assert' if 'static assertion failed' in said else 'error'
@@ -57,7 +58,7 @@ def caught_by(scratch, fault):
                 outcome = scratch.run(test, LIMIT, program)
                 if outcome.how != 'passed':
                     return compiler, test, outcome.cases[0] if outcome.cases else outcome.how
-        return compiler, '', ''
+        return (compiler, '', '') if is_asked else ('error', '', f'no test of {tests} compiles {name}')
     finally:
         scratch.restore()
 
@@ -88,7 +89,7 @@ def main():
         compiler, test, case = caught_by(scratch, fault)
         rows.append({'kind': kind, 'place': anchor, 'from': fault[2], 'to': new, 'compiler': compiler,
                      'test': test, 'case': case})
-        who = ', '.join(filter(None, [compiler, test and f'{test}: {case}'])) or 'NO TEST'
+        who = ', '.join(filter(None, [compiler, f'{test}: {case}' if test else case])) or 'NO TEST'
         print(f'{number}/{len(faults)} {kind} | {anchor} | '
               f'{" ".join(new.split())[:70] or "- " + " ".join(fault[2].split())[:66]} | {who}', flush=True)
         if arguments.json:

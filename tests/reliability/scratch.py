@@ -59,7 +59,7 @@ UNITS = {
 }
 
 
-LIBRARY = re.compile(r'src/libconvexact_(kernel|solids|rim|lab)\.a\.p/')
+LIBRARY = re.compile(r'(src/libconvexact_(kernel|solids|rim|lab)|tests/check/libchecker)\.a\.p/')
 
 
 class Outcome:
@@ -120,15 +120,17 @@ class Scratch:
 
     def _compile(self, output, target, more=()):
         """Compiles what makes `output` into `target`, without optimisation: what the compiler said if it failed.
-        For the library the header that all sources include is compiled first, in the same way."""
+        For the library the header that all sources include is compiled first, in the same way; tests include theirs as it is."""
         command, _ = self.commands[output]
         drop = {'ccache', '-fpch-preprocess', '-Winvalid-pch', '-MD', '-g1'}
-        words = [word for word in shlex.split(command) if word not in drop and not word.startswith('-Isrc/libconvexact')]
+        words = [word for word in shlex.split(command) if word not in drop and not re.match(r'-I(src/libconvexact|tests/).*\.p$', word)]
         for option in ('-MF', '-MQ'):
             del words[words.index(option):words.index(option) + 2]
         words += ['-O0', '-w', '-fdiagnostics-color=never', *more]
         words[words.index('-o') + 1] = str(target)
-        if '-include' in words:
+        if 'tests.hpp' in words:
+            words.insert(1, f'-I{self.tree}/tests/support/pch')
+        elif '-include' in words:
             precompiled = self.lean / 'pch' / 'library.hpp.gch'
             if not precompiled.exists():
                 precompiled.parent.mkdir()
