@@ -236,7 +236,7 @@ class CapCost {
   /// @param unit  As of Roundoff.
   CostBounds<Scalar> bounds(const RingGeometry<Scalar>& ring,
                             std::span<const RingTriangle> triangles, double unit) {
-    const CostBounds<Scalar> quick = quick_.run(ring, triangles, unit);
+    CostBounds<Scalar> quick = quick_.run(ring, triangles, unit);
     if (quick.kind != Boundedness::Doubtful) return quick;
     IntervalDeterminants<Scalar> determinants(ring, unit);
     const auto k = static_cast<std::uint32_t>(ring.arm.size());

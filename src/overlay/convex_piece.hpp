@@ -285,7 +285,7 @@ template <std::size_t N>
     if (!b) break;
     if (is_inside_piece(arrangement, piece, *b)) return *b;
   }
-  const IntegerRow<N> b = exact_mean(arrangement, piece, attempt);
+  IntegerRow<N> b = exact_mean(arrangement, piece, attempt);
   CONVEXACT_ASSERT(is_inside_piece(arrangement, piece, b));
   return b;
 }

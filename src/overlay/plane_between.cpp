@@ -46,7 +46,7 @@ PlaneBetween plane_between(const ConvexPart& a, const ConvexPart& b, const Ratio
   for (const bool is_first : {true, false}) {
     for (const Halfspace& facet : (is_first ? a : b).halfspaces) {
       watch.ask();
-      const IntegerVector3 normal = facet.normal();
+      const IntegerVector3& normal = facet.normal();
       PlaneBetween plane = plane_between(a, b, is_first ? normal : IntegerVector3(-normal));
       if (plane.squared <= squared_enough) return plane;
     }
@@ -59,7 +59,7 @@ PlaneBetween plane_between(const ConvexPart& a, const ConvexPart& b, const Ratio
   std::optional<PlaneBetween> least;
   for (const Halfspace& facet : hull.halfspaces) {
     // n.(x - y) <= -d
-    const IntegerVector3 normal = facet.normal();
+    const IntegerVector3& normal = facet.normal();
     Rational squared = squared_push(Rational(-facet.offset()), normal);
     if (!least || squared < least->squared) least = {normal, std::move(squared)};
   }

@@ -89,13 +89,13 @@ std::optional<UncoveredSolid> find_uncovered_solid(const Surface& surface, const
     const auto& ids = surface.triangles[piece.triangle.index()];
     const Halfspace plane =
         Halfspace::through(surface.points[ids[0]], surface.points[ids[1]], surface.points[ids[2]]);
-    const IntegerVector3 n = plane.normal();
+    const IntegerVector3& n = plane.normal();
     return search.near(mean, before != 0 ? n : IntegerVector3(-n));
   }
   // (2) The boundary of the uncovered set.
   std::optional<UncoveredSolid> found;
   const auto visit = [&](const SolidPiece& piece) {
-    const IntegerVector3 n = piece.plane.normal();
+    const IntegerVector3& n = piece.plane.normal();
     found = search.near(piece.x, piece.looks_out ? IntegerVector3(-n) : n);
     return false;
   };

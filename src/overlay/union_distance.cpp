@@ -47,7 +47,7 @@ RationalPoint nearest_in_polygon(const ConvexPart& part, const FlatFeatures& fea
                                  const RationalPoint& x) {
   const RationalVector3 normal = features.plane->normal().cast<Rational>();
   const Rational factor = (*features.plane)(x) / normal.squaredNorm();
-  const RationalPoint foot = x - factor * normal;
+  RationalPoint foot = x - factor * normal;
   const bool is_inside = std::all_of(part.halfspaces.begin(), part.halfspaces.end(),
                                      [&](const Halfspace& h) { return h(foot) <= 0; });
   if (is_inside) return foot;

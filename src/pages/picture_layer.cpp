@@ -34,8 +34,8 @@ std::vector<Point> drawn_corners(const Polytope& solid) {
 // same.
 std::string plane_text(const Halfspace& plane) {
   const IntegerVector3& n = plane.normal();
-  const std::string exact = fmt::format("({}, {}, {}, {})", to_string(n[0]), to_string(n[1]),
-                                        to_string(n[2]), to_string(plane.offset()));
+  std::string exact = fmt::format("({}, {}, {}, {})", to_string(n[0]), to_string(n[1]),
+                                  to_string(n[2]), to_string(plane.offset()));
   if (n.squaredNorm() == 1) return exact;
   const long scale = -static_cast<long>(bit_length(n));
   const auto near = [&](const Integer& x) {

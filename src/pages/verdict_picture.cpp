@@ -70,7 +70,8 @@ double size_of(const Picture& picture) {
 }  // namespace
 
 Picture verdict_picture(const SceneObject& input, const Candidate& candidate,
-                        const Verdict& verdict, const std::string& title, std::string answer) {
+                        const Verdict& verdict, const std::string& title,
+                        const std::string& answer) {
   Picture picture{as_utf8(title), as_utf8(answer), {}};
   picture.layers.push_back(input_layer(input));
   add_candidate(candidate, picture);

@@ -15,6 +15,6 @@ namespace convexact {
 /// @param answer  What was found, in one line.
 [[nodiscard]] Picture verdict_picture(const SceneObject& input, const Candidate& candidate,
                                       const Verdict& verdict, const std::string& title,
-                                      std::string answer);
+                                      const std::string& answer);
 
 }  // namespace convexact

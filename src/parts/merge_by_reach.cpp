@@ -176,9 +176,9 @@ class ReachMerger {
 
  private:
   double key(double added) {
-    constexpr std::uint64_t kMost = 2048;
+    constexpr std::uint64_t kMost = 2048, kMiddle = kMost / 2;
     if (random_ == nullptr) return added;
-    return added * static_cast<double>(1 + uniform_below(*random_, kMost)) / (kMost / 2);
+    return added * static_cast<double>(1 + uniform_below(*random_, kMost)) / kMiddle;
   }
 
   bool are_near(const Joined& a, const Joined& b) const {

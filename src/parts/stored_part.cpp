@@ -233,7 +233,7 @@ PointSet stored_corners(const ConvexPart& hull, const Rational& squared_diameter
     const PointSet thick = thicken(hull, squared_diameter, precision);
     return stored_corners(convex_part(thick, watch), squared_diameter, precision, watch);
   }
-  const PointSet corners(hull.vertices);
+  PointSet corners(hull.vertices);
   if (is_representable(corners, precision)) return corners;
   const RationalPoint middle = hull.box.middle();
   const auto round = [&](const RationalPoint& x, const auto& rounding_of) {

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <optional>
 #include <utility>
+#include <vector>
 
 #include "convexact/error.hpp"
 
@@ -101,7 +102,7 @@ void CostTree::evaluate(std::vector<FreeRemoval>& free) {
 
 }  // namespace
 
-void walk_cost_tree(DualSurface& surface, std::vector<HalfspaceId> free, std::size_t to_go,
+void walk_cost_tree(DualSurface& surface, std::span<const HalfspaceId> free, std::size_t to_go,
                     const Rational& least, CostTreeObserver& observer, const Watch& watch) {
   std::vector<FreeRemoval> removals;
   for (const HalfspaceId i : free) removals.push_back({i});

@@ -2,7 +2,7 @@
 // cost_tree.hpp - a tree of removals that shows why no equal number of halfspaces of a hull bounds
 // less volume.
 #pragma once
-#include <vector>
+#include <span>
 
 #include "convexact/error.hpp"
 #include "simplify/dual_surface.hpp"
@@ -32,7 +32,7 @@ class CostTreeObserver {
 /// @param least    The least volume that as many removals add.
 /// @throws Error   Internal if some choice adds less; Stopped.
 /// @par Cost       Exponential in the worst case: some evaluations for each state.
-void walk_cost_tree(DualSurface& surface, std::vector<HalfspaceId> free, std::size_t to_go,
+void walk_cost_tree(DualSurface& surface, std::span<const HalfspaceId> free, std::size_t to_go,
                     const Rational& least, CostTreeObserver& observer, const Watch& watch = {});
 
 }  // namespace convexact

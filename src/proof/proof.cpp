@@ -190,7 +190,7 @@ void ProofWriter::write_optimum() {
     for (auto removal = removals.rbegin(); removal != removals.rend(); ++removal) {
       surface.undo(*removal);
     }
-    walk_cost_tree(surface, std::move(free), removals.size(), added, *this);
+    walk_cost_tree(surface, free, removals.size(), added, *this);
   }
   for (const Removal& removal : removals) {
     evaluated(removal);

@@ -152,7 +152,7 @@ class PartWalk : public CellWalk {
 
   // The point of the part that is nearest to the center of a cell.
   RationalPoint point_of_part(const CellPlace& place) const {
-    const RationalPoint center = cells_.frame().point(place.center);
+    RationalPoint center = cells_.frame().point(place.center);
     if (holds(part_, center)) return center;
     return UnionDistance(std::span(&part_, 1)).nearest_in(0, center);
   }

@@ -61,8 +61,7 @@ class CellOrder {
       if (waiting_.size() < most_waiting_) {
         push(half);
       } else {
-        const MetCell next = half;
-        visit(next);
+        visit(half);
         if (is_stopped_) return;
       }
     }

@@ -160,7 +160,8 @@ struct AreaSum {
 void add_area(const Surface& surface, std::uint32_t t, AreaSum& sum) {
   const auto points = surface.points.doubles();
   const auto& [a, b, c] = surface.triangles[t];
-  const Point p = points[a.index()], e = points[b.index()] - p, f = points[c.index()] - p;
+  const Point& p = points[a.index()];
+  const Point e = points[b.index()] - p, f = points[c.index()] - p;
   const double largest = std::max({p.cwiseAbs().maxCoeff(), points[b.index()].cwiseAbs().maxCoeff(),
                                    points[c.index()].cwiseAbs().maxCoeff()});
   sum.value += e.cross(f).norm();

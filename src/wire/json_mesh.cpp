@@ -25,7 +25,7 @@ Rational coordinate_of_json(const json& value, Decimal decimal) {
   if (!is_hex && !is_fraction && decimal != Decimal::Exact) {
     return to_rational(decimal == Decimal::Nearest ? nearest_double(text) : nearest_float(text));
   }
-  const Rational spelled = is_hex ? parse_hex_float(text) : parse_number(text, Decimal::Exact);
+  Rational spelled = is_hex ? parse_hex_float(text) : parse_number(text, Decimal::Exact);
   if (decimal != Decimal::Nearest32) return spelled;
   const float rounded = to_float(spelled, Rounding::Nearest);
   if (!std::isfinite(rounded)) {

@@ -188,7 +188,7 @@ std::vector<std::string> prim_names(std::span<const WrittenPart> parts) {
 
 std::string proven_parts_usd(const ModelBody& body, std::span<const WrittenPart> parts,
                              const std::string& path) {
-  const std::string bytes = write_usd(body, parts);
+  std::string bytes = write_usd(body, parts);
   std::size_t meshes = 0, proven = 0;
   for (std::string_view rest = bytes; !rest.empty();) {
     const std::string_view line = rest.substr(0, rest.find('\n'));

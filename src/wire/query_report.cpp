@@ -73,7 +73,8 @@ constexpr std::array<std::pair<const char*, std::optional<ProbeTally> FalsePosit
 // "1/3 (0.33333333333333333)", "2", or the digits alone of a fraction too long to read.
 std::string rational_text(const Rational& x) {
   constexpr std::size_t kReadable = 24;
-  const std::string exact = to_string(x), decimal = to_decimal(x, kDigits);
+  std::string exact = to_string(x);
+  const std::string decimal = to_decimal(x, kDigits);
   if (exact == decimal) return exact;
   return exact.size() <= kReadable ? exact + " (" + decimal + ")" : decimal;
 }

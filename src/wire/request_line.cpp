@@ -54,9 +54,7 @@ std::string spelled_value(const FieldInfo& field, const json& value) {
   }
   const bool are_numbers = std::isdigit(static_cast<unsigned char>(field.words.front()[0])) != 0;
   const bool has_type = are_numbers ? value.is_number_unsigned() : value.is_string();
-  const std::string word = !has_type     ? ""
-                           : are_numbers ? dump_json(value)
-                                         : value.get<std::string>();
+  std::string word = !has_type ? "" : are_numbers ? dump_json(value) : value.get<std::string>();
   if (std::find(field.words.begin(), field.words.end(), word) == field.words.end()) {
     reject_request(fmt::format("{} as {}", field.name, fmt::join(field.words, " or ")));
   }

@@ -103,7 +103,7 @@ std::string proof_text(const Run& run) {
 
 std::string push_text(const Growth& growth, bool verbose) {
   if (growth.push == 0) return "without any change";
-  const std::string push = fmt::format("within {:.2g} of the diameter", growth.push);
+  std::string push = fmt::format("within {:.2g} of the diameter", growth.push);
   if (!verbose) return push;
   return push +
          fmt::format(", volume times at most 1 + {:.2g}", std::max(0.0, growth.volume_ratio - 1));

@@ -33,11 +33,10 @@ struct Extras {
 };
 
 std::vector<std::string> files_in(const json& request) {
-  const std::vector<std::string> names = texts_in(
+  return texts_in(
       request, "files",
       "files as names that end in .obj, .off, .ply, .stl, .glb, .xyz, .json, .ine, .txt or .proof",
       is_result_file);
-  return names;
 }
 
 int precision_in(const json& request) {

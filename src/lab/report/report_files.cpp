@@ -174,8 +174,8 @@ class Commands {
   std::string options_;
 };
 
-Json figure(Json content, std::vector<std::string> commands) {
-  content["commands"] = std::move(commands);
+Json figure(Json content, const std::vector<std::string>& commands) {
+  content["commands"] = commands;
   return content;
 }
 
@@ -257,7 +257,7 @@ constexpr Quantity kLaw[] = {{"/exponent", "exponent", "1"},
 
 // A field in the form of RFC 4180.
 std::string field(const std::string& bytes) {
-  const std::string text = as_utf8(bytes);
+  std::string text = as_utf8(bytes);
   if (text.find_first_of(",\"\n\r") == std::string::npos) return text;
   std::string escaped = "\"";
   for (const char c : text) {

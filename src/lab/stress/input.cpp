@@ -35,8 +35,7 @@ Rational number(Random& random, bool is_long) {
 
 RationalVector3 direction(Random& random, bool is_long) {
   for (;;) {
-    const RationalVector3 n(number(random, is_long), number(random, is_long),
-                            number(random, is_long));
+    RationalVector3 n(number(random, is_long), number(random, is_long), number(random, is_long));
     if (!n.isZero()) return n;
   }
 }

@@ -152,7 +152,7 @@ std::string list_text(const std::vector<std::size_t>& faces) {
   constexpr std::ptrdiff_t kShown = 5;
   const auto count = static_cast<std::ptrdiff_t>(faces.size());
   const auto last = faces.begin() + std::min(count, kShown);
-  const std::string text =
+  std::string text =
       fmt::format("{} {}", count == 1 ? "face" : "faces", fmt::join(faces.begin(), last, ", "));
   if (last == faces.end()) return text;
   return text + " and " + with_separators(faces.size() - kShown) + " more";
