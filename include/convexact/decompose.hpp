@@ -73,7 +73,8 @@ struct DecomposeRequest {
   /// farther than `distance`, whatever its concavity; those that add the least volume first. Until
   /// then they are guarded by half the distance, since finer parts merge into fewer.
   ReachUse merge = ReachUse::None;
-  /// > 0. Of the solid, or of the surface if it is open. Without: kDefaultDistance.
+  /// Of the solid, or of the surface if it is open; at least kLeastReach, or, of Cut, 0: no part
+  /// has a volume outside of the solid, exactly. Without: kDefaultDistance.
   std::optional<ConcavityLimit> distance = {};
   Close close = Close::Auto;             ///< Of a surface for a guard, or for merging by reach.
   CutEffort effort = CutEffort::Normal;  ///< Of Cut.
@@ -120,9 +121,10 @@ struct DecomposeRequest {
 
 /// How the stored solid of a part came from the hull of its points.
 enum class PartForm {
-  Hull,        ///< It is the hull: every corner is a point of the input, bit by bit.
-  Rounded,     ///< The hull with its corners rounded outward: input with fractions, or binary32.
-               ///< A box if it is too small for the numbers of the format.
+  Hull,     ///< It is the hull: every corner is a point of the input, bit by bit, or, of Cut, one
+            ///< where planes meet, without rounding.
+  Rounded,  ///< The hull with its corners rounded outward: input with fractions, or binary32.
+            ///< A box if it is too small for the numbers of the format.
   Simplified,  ///< Fewer halfspaces around it.
   Thickened,   ///< A flat hull, thickened; and simplified if it had more halfspaces than it may.
   Flat,        ///< A flat hull as it is.

@@ -48,6 +48,8 @@ struct PartitionOptions {
   std::optional<std::size_t> max_leaves = {};
   /// Decide each sign in exact numbers, without bounds in doubles.
   bool is_exact = false;
+  /// Only planes of facets, which the input says exactly, those at notches first.
+  bool only_facets = false;
   /// Threads, at least 1. The cuts are the same for any number of them.
   std::size_t jobs = 1;
   Watch watch = {};

@@ -85,19 +85,25 @@ struct FarPlace {
   double distance;
 };
 
+/// The least T > 0 that cells tell well, as a share of the surface's diameter. Smaller ones may
+/// take more cells than can be kept.
+inline const Rational kLeastReach{1, 1 << 20};
+
 /// Decides for convex parts whether they lie within T of a solid. What it learns of the space
 /// around the solid serves all parts, so it is not for several threads at once.
 /// @par Method  A lazy octree of cells. A cell is fine if all its corners are within T of one
 ///              triangle (a convex set around a triangle, dilated, is convex), or if it lies in the
 ///              solid. A part is within T if it meets fine cells only, and beyond it if some point
-///              of it is outside of the solid and farther than T from all triangles.
+///              of it is outside of the solid and farther than T from all triangles. If T is 0,
+///              a part that is within may still have a volume outside, but so thin that no point
+///              there is certain, and nowhere farther out than 2 kLeastReach: volumes decide.
 class ReachLimit {
  public:
   /// Keeps references.
   /// @param winding  Of the surface; null if it is open.
-  /// @param squared_limit  T^2 > 0, in squared length units.
+  /// @param squared_limit  T^2 >= 0, in squared length units.
   /// @param boxes  Of parts that may lie outside of the surface's box.
-  /// @throws Error InvalidArgument if squared_limit <= 0, or the surface has no triangle.
+  /// @throws Error InvalidArgument if squared_limit < 0, or the surface has no triangle.
   ReachLimit(const Surface& surface, const Winding* winding, const Rational& squared_limit,
              std::span<const BoundingBox> boxes = {});
   ~ReachLimit();

@@ -178,6 +178,41 @@ struct PlacedPart {
       return t.all_of([&](const Vector& x) { return value(plane, x) >= 0; });
     });
   }
+  // Whether a triangle may meet the interior of what it has in common with a cube: if not, nothing
+  // of the triangle is left within some plane or wall when it was cut at the others before.
+  bool may_run_through(const PlacedTriangle& t, const Cube& cube) const {
+    std::vector<Vector> left(t.corners.begin(), t.corners.end());
+    for (std::size_t k = 0; k < 3; ++k) {
+      for (const int side : {-1, 1}) {
+        const auto beyond_wall = [&](const Vector& x) {
+          return Rational(side * (x[k] - cube.center[k]) - cube.half);
+        };
+        if (!cut(left, beyond_wall)) return false;
+      }
+    }
+    return std::all_of(planes.begin(), planes.end(), [&](const Row& plane) {
+      return cut(left, [&](const Vector& x) { return value(plane, x); });
+    });
+  }
+
+ private:
+  // Leaves of a convex polygon what is not beyond a plane; whether something is strictly within.
+  template <class Beyond>
+  static bool cut(std::vector<Vector>& polygon, const Beyond& beyond) {
+    std::vector<Vector> kept;
+    bool has_inner = false;
+    for (std::size_t i = 0; i < polygon.size(); ++i) {
+      const Vector &a = polygon[i], &b = polygon[(i + 1) % polygon.size()];
+      const Rational at_a = beyond(a), at_b = beyond(b);
+      if (at_a <= 0) kept.push_back(a);
+      has_inner = has_inner || at_a < 0;
+      if (sgn(at_a) * sgn(at_b) >= 0) continue;
+      Vector& x = kept.emplace_back(a);
+      for (std::size_t k = 0; k < 3; ++k) x[k] += at_a / (at_a - at_b) * (b[k] - a[k]);
+    }
+    polygon = std::move(kept);
+    return has_inner;
+  }
 };
 
 inline std::vector<PlacedTriangle> placed(const std::vector<Row>& points,

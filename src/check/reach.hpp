@@ -151,9 +151,9 @@ class ReachProof {
     const Box around = Box::around(parts_[p].corners);
     for (const std::size_t t : near) {
       const PlacedTriangle& triangle = triangles_[t];
-      require(
-          triangle.is_beside(walls) || triangle.is_beside(around) || parts_[p].has_beyond(triangle),
-          "a triangle runs through what a part has in a cell");
+      require(triangle.is_beside(walls) || triangle.is_beside(around) ||
+                  parts_[p].has_beyond(triangle) || !parts_[p].may_run_through(triangle, cube),
+              "a triangle runs through what a part has in a cell");
     }
     require(winding_.beside(x, {}) != 0, "what a part has in a cell is outside");
     require(clear_.emplace(cell, p).second, "a cell is clear of a part already");

@@ -77,9 +77,11 @@ void add_files_of_one(FilesOfParts& out, const DecomposedObject& object,
     std::string proof = write_decomposition_proof(object.result, object.request);
     const auto& reach = object.result.reach;
     if (reach && reach->farther.empty() && !claims_reach(proof)) {
-      out.notes.push_back(files.proof +
-                          " does not claim the distance: this run proves it, but cells alone do "
-                          "not, or too many of them; with a larger --distance they may");
+      out.notes.push_back(
+          files.proof + (reach->squared_distance == 0
+                             ? " does not claim the distance of 0, which this run proves by volumes"
+                             : " does not claim the distance: this run proves it, but cells alone "
+                               "do not, or too many of them; with a larger --distance they may"));
     }
     out.files.emplace_back(files.proof, std::move(proof));
   }

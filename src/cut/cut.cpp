@@ -39,6 +39,8 @@ std::vector<Point> directions() {
 
 // Leaves that are cut so often are halved from then on.
 constexpr int kDeepest = 40;
+// So many facets' planes are tried where there are no notches.
+constexpr std::size_t kMostFacets = 100;
 
 class Cutter {
  public:
@@ -159,17 +161,31 @@ class Cutter {
                                         [&](const CutPlane& x) { return x.exact == plane; });
       if (!is_known) tried.emplace_back(plane, points_.frame());
     };
-    if (depth_[n] < kDeepest) {
-      for (const Halfspace& plane : notches_.planes(leaf.notches)) add(plane);
-      for (const Point& direction : directions()) {
-        add(plane_across(direction, far, points_.frame()));
+    if (options_.only_facets || depth_[n] < kDeepest) {
+      for (const Halfspace& plane : notches_.planes(leaf.notches, options_.only_facets)) add(plane);
+      if (!options_.only_facets) {
+        for (const Point& direction : directions()) {
+          add(plane_across(direction, far, points_.frame()));
+        }
       }
     } else {
       add(halving_plane(leaf));
     }
-    made_.planes_tried += tried.size();
-    const auto best =
-        choose_plane(leaf, far, tried, points_, winding_, options_.jobs, options_.watch);
+    const auto choose = [&] {
+      made_.planes_tried += tried.size();
+      return choose_plane(leaf, far, tried, points_, winding_, options_.jobs, options_.watch);
+    };
+    auto best = choose();
+    if (!best && options_.only_facets) {  // bodies with room between them, and no notch
+      tried.clear();
+      for (const Piece& piece : leaf.pieces) {
+        if (tried.size() == kMostFacets) break;
+        if (!has_no_area(points_.surface().points, points_.surface().triangles[piece.triangle])) {
+          add(turned(triangle_plane(points_.surface(), piece.triangle)));
+        }
+      }
+      best = choose();
+    }
     if (!best) return;
     planes_.push_back(tried[*best]);
     const auto plane = static_cast<std::uint32_t>(planes_.size() - 1);

@@ -14,7 +14,8 @@ constexpr std::size_t kStrongest = 15;  // edges whose planes are tried
 // Twice the area vector, in the frame; off by less than kCutError in each component.
 Point area_of(const Surface& surface, const CutPoints& points, std::uint32_t triangle) {
   const auto& [a, b, c] = surface.triangles[triangle];
-  const Point x = points.near(a.value), u = points.near(b.value) - x, v = points.near(c.value) - x;
+  const Point& x = points.near(a.value);
+  const Point u = points.near(b.value) - x, v = points.near(c.value) - x;
   return u.cross(v);
 }
 
@@ -27,7 +28,7 @@ bool is_flat(const CutPoints& points, const Point& area, std::uint32_t triangle)
 Sign side_of_triangle(const CutPoints& points, const Point& area, std::uint32_t triangle,
                       PointId p) {
   const Surface& surface = points.surface();
-  const Point from = points.near(surface.triangles[triangle][0].value);
+  const Point& from = points.near(surface.triangles[triangle][0].value);
   const double height = area.dot(points.near(p.value) - from);
   if (!points.is_exact() && std::abs(height) > 8 * kCutError)
     return height > 0 ? Sign::Positive : Sign::Negative;
@@ -55,16 +56,20 @@ PointId opposite(const Triangle& triangle, PointId a, PointId b) {
 Notches::Notches(const Surface& surface, const CutPoints& points)
     : surface_(surface), points_(points) {
   EdgeTable(surface.triangles).for_each([&](std::span<const EdgeUse> uses) {
-    if (uses.size() != 2) return;
-    const std::uint32_t left = uses[0].triangle, right = uses[1].triangle;
-    const Point m = area_of(surface, points, left), n = area_of(surface, points, right);
-    if (is_flat(points, m, left) || is_flat(points, n, right)) return;
-    const PointId tip = opposite(surface.triangles[right], uses[0].low, uses[0].high);
-    const Sign above = side_of_triangle(points, m, left, tip);
-    if (above == Sign::Zero || (above == Sign::Negative && surface.is_closed)) return;
-    const double cosine = m.dot(n) / (m.norm() * n.norm());
-    edges_.push_back({uses[0].low, uses[0].high, left, right, 1 - cosine * std::abs(cosine)});
+    // Where sheets touch along an edge, some of them have the room outside between them.
+    for (std::size_t k = 1; k < uses.size(); ++k) add(uses[k - 1], uses[k], uses.size() == 2);
   });
+}
+
+void Notches::add(const EdgeUse& one, const EdgeUse& other, bool if_concave) {
+  const std::uint32_t left = one.triangle, right = other.triangle;
+  const Point m = area_of(surface_, points_, left), n = area_of(surface_, points_, right);
+  if (is_flat(points_, m, left) || is_flat(points_, n, right)) return;
+  const PointId tip = opposite(surface_.triangles[right], one.low, one.high);
+  const Sign above = side_of_triangle(points_, m, left, tip);
+  if (above == Sign::Zero || (if_concave && above == Sign::Negative && surface_.is_closed)) return;
+  const double cosine = m.dot(n) / (m.norm() * n.norm());
+  edges_.push_back({one.low, one.high, left, right, 1 - cosine * std::abs(cosine)});
 }
 
 std::vector<NotchEdge> Notches::all() const {
@@ -90,7 +95,8 @@ std::vector<NotchEdge> Notches::clipped(const std::vector<NotchEdge>& notches,
   return list;
 }
 
-std::vector<Halfspace> Notches::planes(const std::vector<NotchEdge>& notches) const {
+std::vector<Halfspace> Notches::planes(const std::vector<NotchEdge>& notches,
+                                       bool only_facets) const {
   std::vector<std::pair<double, const NotchEdge*>> order;
   for (const NotchEdge& notch : notches) {
     const Edge& edge = edges_[notch.edge];
@@ -107,6 +113,7 @@ std::vector<Halfspace> Notches::planes(const std::vector<NotchEdge>& notches) co
     const Edge& edge = edges_[it->second->edge];
     list.push_back(turned(triangle_plane(surface_, edge.left)));
     list.push_back(turned(triangle_plane(surface_, edge.right)));
+    if (only_facets) continue;
     if (const auto plane = bisector(edge)) list.push_back(*plane);
   }
   return list;

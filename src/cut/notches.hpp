@@ -5,11 +5,12 @@
 #include <vector>
 
 #include "cut/leaf.hpp"
+#include "surface/edges.hpp"
 
 namespace convexact {
 
 /// The notch edges of a surface: those of two triangles, each of which has the other in front of
-/// it; of an open surface all of two triangles that are not in one plane.
+/// it, and those of more; of an open surface all of triangles that are not in one plane.
 class Notches {
  public:
   /// Keeps a reference. @par Cost  O(n log n)
@@ -20,9 +21,10 @@ class Notches {
   /// What of them lies on one side of a plane.
   std::vector<NotchEdge> clipped(const std::vector<NotchEdge>& notches, const CutPlane& plane,
                                  Sign side) const;
-  /// Both facets' planes at the strongest of them, and the plane between these; the strongest
-  /// first. Strength is the squared length times 1 - c |c|, with c the cosine between the normals.
-  std::vector<Halfspace> planes(const std::vector<NotchEdge>& notches) const;
+  /// Both facets' planes at the strongest of them, and unless only facets' are asked for the plane
+  /// between these; the strongest first. Strength is the squared length times 1 - c |c|, with c the
+  /// cosine between the normals.
+  std::vector<Halfspace> planes(const std::vector<NotchEdge>& notches, bool only_facets) const;
 
  private:
   struct Edge {
@@ -30,6 +32,7 @@ class Notches {
     std::uint32_t left, right;  // triangles
     double sharpness;           // 1 - c |c|
   };
+  void add(const EdgeUse& one, const EdgeUse& other, bool if_concave);
   std::optional<Halfspace> bisector(const Edge& edge) const;
 
   const Surface& surface_;

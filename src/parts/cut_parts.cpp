@@ -77,19 +77,23 @@ class PartCutter {
   }
 
   CutParts cut_and_merge(const Rational& squared, const Rational& fineness) {
-    ReachLimit fine(surface_, winding_, Rational(squared / (fineness * fineness)));
     CutParts made;
+    std::size_t cells = 0;
     made.partition = log_.run(kCut, [&] {
       const Watch watch = log_.watch(kCut);
-      return cut(surface_, winding_, fine,
-                 {.is_exact = request_.engine == Engine::Exact,
-                  .jobs = request_.jobs.value_or(all_cores()),
-                  .watch = watch});
+      ReachLimit fine(surface_, winding_, Rational(squared / (fineness * fineness)));
+      Partition partition = cut(surface_, winding_, fine,
+                                {.is_exact = request_.engine == Engine::Exact,
+                                 .only_facets = request_.distance && request_.distance->value == 0,
+                                 .jobs = request_.jobs.value_or(all_cores()),
+                                 .watch = watch});
+      cells = fine.cells();
+      return partition;
     });
     const std::vector<PointSet> leaves =
         log_.run(kStoreLeaves, [&] { return stored_leaves(made.partition); });
     log_.run(kMerge, [&] { merge(squared, leaves, made); });
-    made.cells = std::max(made.cells, fine.cells());
+    made.cells = std::max(made.cells, cells);
     return made;
   }
 

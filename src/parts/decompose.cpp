@@ -9,6 +9,7 @@
 #include "convexact/overlay.hpp"
 #include "decompose/near_concavity.hpp"
 #include "near/frame.hpp"
+#include "number/arithmetic.hpp"
 #include "number/text.hpp"
 #include "parts/coverage_proof.hpp"
 #include "parts/cut_parts.hpp"
@@ -96,11 +97,27 @@ class Decomposer {
     made_.reach.emplace();
     made_.reach->squared_distance =
         request_.distance.value_or(kDefaultDistance).squared(squared_diameter);
+    require_told(made_.reach->squared_distance / squared_diameter);
     if (made_.surface.is_closed) winding_.emplace(made_.surface);
+    if (cuts(request_)) return;  // cutting has limits of its own
     limit_.emplace(reach_limit(made_.reach->squared_distance, {}));
     // Finer than asked: what is merged in the end makes use of it.
     if (request_.merge == ReachUse::Reach) {
       half_limit_.emplace(reach_limit(made_.reach->squared_distance / 4, {}));
+    }
+  }
+
+  void require_told(const Rational& squared_share) const {
+    if (squared_share > 0 && squared_share < kLeastReach * kLeastReach) {
+      throw Error(
+          ErrorCode::InvalidArgument,
+          "a distance of less than 2^-20 of the diameter, about a millionth, cannot be told "
+          "by cells: allow more, or 0 with the method cut");
+    }
+    if (squared_share == 0 && !made_.surface.is_closed) {
+      throw Error(ErrorCode::InvalidArgument,
+                  "an open surface bounds no solid that its parts could fill: allow a distance "
+                  "above 0");
     }
   }
 
@@ -179,14 +196,15 @@ class Decomposer {
       const bool are_hulls = std::all_of(made_.parts.begin(), made_.parts.end(), [](const Part& p) {
         return (p.form == PartForm::Hull || p.form == PartForm::Flat) && p.loose.empty();
       });
-      const std::size_t cells = limit_->cells();
-      if (!are_hulls) limit_.emplace(reach_limit(made_.reach->squared_distance, boxes));
+      const std::size_t cells = limit_ ? limit_->cells() : 0;
+      if (!limit_ || !are_hulls) limit_.emplace(reach_limit(made_.reach->squared_distance, boxes));
       for (std::size_t k = 0; k < stored.size(); ++k) {
         watch.at(k, stored.size());
         if (limit_->allows(stored[k], watch)) continue;
         PartReach reach = (*limit_)(stored[k], watch);
         if (reach.reach != Reach::Within) made_.reach->farther.push_back({k, std::move(reach)});
       }
+      if (made_.reach->squared_distance == 0) decide_at_zero(stored, watch);
       made_.reach->cells = std::max({made_.reach->cells, cells, limit_->cells()});
       if (const auto* clustering = std::get_if<Clustering>(&made_.origin)) {
         made_.reach->refused = clustering->refused;
@@ -196,6 +214,20 @@ class Decomposer {
         made_.limit_holds = made_.reach->farther.empty();
       }
     });
+  }
+
+  // Of parts that have no certain point outside: those that have a volume there.
+  void decide_at_zero(const std::vector<ConvexPart>& stored, const Watch& watch) {
+    auto& farther = made_.reach->farther;
+    if (!farther.empty() || exact_excess(made_.surface, stored, request_.watch) == Rational(0)) {
+      return;
+    }
+    const Rational most = made_.squared_diameter() * 4 * kLeastReach * kLeastReach;
+    for (std::size_t k = 0; k < stored.size(); ++k) {
+      watch.at(k, stored.size());
+      if (exact_excess(made_.surface, {stored[k]}, request_.watch) == Rational(0)) continue;
+      farther.push_back({k, {Reach::Undecided, {}, SquaredBracket{Rational(0), most}}});
+    }
   }
 
   void find_planes_between(const std::vector<ConvexPart>& stored) {
@@ -229,10 +261,16 @@ class Decomposer {
     made_.reach->cells = made.cells;
   }
 
-  // Corners that no point of the input is were rounded when the leaves were stored.
+  // Corners that are none of the input's points or of the leaves were rounded as they were stored.
   void tell_new_corners() {
     std::set<std::array<double, 3>> given;
     for (const Point& x : made_.surface.points.doubles()) given.insert({x[0], x[1], x[2]});
+    for (const PartitionLeaf& leaf : std::get<Partition>(made_.origin).leaves) {
+      for (const RationalPoint& v : leaf.hull.vertices) {
+        const Point x = nearest(v);
+        if (to_rational(x) == v) given.insert({x[0], x[1], x[2]});
+      }
+    }
     for (Part& part : made_.parts) {
       const auto corners = part.mesh.points.doubles();
       const bool is_given = std::all_of(corners.begin(), corners.end(), [&](const Point& x) {

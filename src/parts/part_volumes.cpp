@@ -74,4 +74,13 @@ DecompositionMeasures measure_volumes(const Surface& surface, const std::vector<
   return found;
 }
 
+std::optional<Rational> exact_excess(const Surface& surface, const std::vector<ConvexPart>& parts,
+                                     const StageWatch& watch) {
+  const bool are_solid = std::all_of(parts.begin(), parts.end(),
+                                     [](const ConvexPart& part) { return part.solid.has_value(); });
+  if (!are_solid) return {};
+  StageLog within(watch);
+  return measure_volumes(surface, parts, PartMeasures::All, true, within).excess_volume->exact;
+}
+
 }  // namespace convexact

@@ -18,4 +18,10 @@ namespace convexact {
                                                     PartMeasures wanted, bool exact, StageLog& log,
                                                     bool hold_solid = false);
 
+/// The volume of the union of parts outside of a closed surface's solid, exactly, if each part has
+/// a volume. If it is 0 no point of the union is outside, as each is the limit of interior points.
+[[nodiscard]] std::optional<Rational> exact_excess(const Surface& surface,
+                                                   const std::vector<ConvexPart>& parts,
+                                                   const StageWatch& watch);
+
 }  // namespace convexact

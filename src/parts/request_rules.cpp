@@ -57,8 +57,9 @@ void require_sensible(const DecomposeRequest& request) {
   if (request.distance && !uses_reach(request)) {
     reject_argument("a distance applies to a guard by reach, or to merging by reach: ask for one");
   }
-  if (request.distance && request.distance->value <= 0) {
-    reject_argument("the distance allowed is above 0");
+  if (request.distance &&
+      (request.distance->value < 0 || (request.distance->value == 0 && !cuts(request)))) {
+    reject_argument("the distance allowed is above 0; cut, which is for solids, takes 0, too");
   }
   if (request.total_faces && (request.max_vertices || request.max_facet_vertices)) {
     reject_argument("corners are counted in each part: leave out the faces of all parts");

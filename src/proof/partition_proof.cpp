@@ -139,6 +139,7 @@ void write_cells(const ReachCertificate& certificate, ProofLines& out) {
 }  // namespace
 
 void write_reach(const Decomposition& made, const DecomposeRequest& request, ProofLines& out) {
+  if (made.reach->squared_distance == 0) return;  // volumes prove that, and cells do not
   const Watch watch(request.watch.stop);
   const Surface& surface = made.surface;
   std::vector<ConvexPart> stored;

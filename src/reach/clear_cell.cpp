@@ -2,6 +2,7 @@
 #include "reach/clear_cell.hpp"
 
 #include <algorithm>
+#include <vector>
 
 #include "number/arithmetic.hpp"
 
@@ -42,9 +43,46 @@ bool is_behind_wall(const ReachCells& cells, const CellPlace& place, std::uint32
   return false;
 }
 
+// Whether a triangle may meet what the part has in the cell. It is cut at one plane of the part
+// after another, and at the walls, each 2 kReachError farther out. A new corner is rounded by less
+// than 2^-49, so after kMostCuts of them by less than kReachError / 2, and values are certain up to
+// kReachError: no point of the triangle that is in the part is ever cut off.
+bool may_run_through(const NearPart& part, const MetCell& met,
+                     const std::array<Point, 3>& triangle) {
+  constexpr int kMostCuts = 24;
+  std::vector<Point> left(triangle.begin(), triangle.end()), kept;
+  int cuts = 0;
+  // Whether something is left on the inner side.
+  const auto cut = [&](const auto& beyond) {
+    kept.clear();
+    for (std::size_t i = 0; i < left.size(); ++i) {
+      const Point &a = left[i], &b = left[(i + 1) % left.size()];
+      const double at_a = beyond(a) - 2 * kReachError, at_b = beyond(b) - 2 * kReachError;
+      if (at_a <= 0) kept.push_back(a);
+      if ((at_a <= 0) == (at_b <= 0)) continue;
+      kept.push_back(a + at_a / (at_a - at_b) * (b - a));
+      ++cuts;
+    }
+    left.swap(kept);
+    return !left.empty();
+  };
+  for (const std::uint32_t k : met.planes) {
+    if (!cut([&](const Point& y) { return part.beyond(k, y); })) return false;
+    if (cuts > kMostCuts) return true;
+  }
+  for (int wall = 0; wall < 6 && cuts <= kMostCuts; ++wall) {
+    const int axis = wall / 2, side = wall % 2 == 0 ? -1 : 1;
+    const auto beyond = [&](const Point& y) {
+      return side * (y[axis] - met.place.center[axis]) - met.place.half;
+    };
+    if (!cut(beyond)) return false;
+  }
+  return true;
+}
+
 // Whether each triangle that may meet what the part has in the cell is beyond one of its planes, or
-// behind a wall. The planes of a NearSolid hold a little more than its vertices, so c need not be
-// in their box.
+// behind a wall, or passes both by. The planes of a NearSolid hold a little more than its vertices,
+// so c need not be in their box.
 bool has_no_triangle(const ReachCells& cells, const NearPart& part, const MetCell& met,
                      const Point& c) {
   NearBox box = part.box();
@@ -61,7 +99,7 @@ bool has_no_triangle(const ReachCells& cells, const NearPart& part, const MetCel
                            return part.beyond(k, v) > 2 * kReachError;
                          });
                        }) ||
-           is_behind_wall(cells, met.place, t);
+           is_behind_wall(cells, met.place, t) || !may_run_through(part, met, triangle);
   };
   // The nearest one is the likeliest to run through.
   const std::uint32_t nearest = cells.triangle(met.place.cell);
@@ -89,22 +127,23 @@ std::optional<InnerPart> inner_part(const ReachCells& cells, const NearPart& par
   for (const Point& v : part.vertices()) far = std::max(far, (v - middle).norm());
   if (!(inside > 2 * kDepth + kReachError)) return {};
   const double share = std::exp2(std::ceil(std::log2(kDepth / (inside - kReachError))));
-  if (share * far > cells.limit_down() * (kInnerSlack / 2)) return {};
+  // At T = 0 volumes decide about what is cut off.
+  const double most = cells.limit_down() * (cells.is_at_zero() ? 1 : kInnerSlack / 2);
+  if (share * far > most) return {};
   return InnerPart{part.towards(middle, share), middle, share};
 }
 
 // What the planes of the part, its box with a point c and the cell have in common is convex, so if
 // no triangle meets its interior, the surface winds about all of that as about c.
-std::optional<Point> clear_point(const ReachCells& cells, const NearPart& part, const MetCell& met,
-                                 const Point& y) {
+std::optional<ClearPoint> clear_point(const ReachCells& cells, const NearPart& part,
+                                      const MetCell& met, const Point& y) {
   if (!cells.has_inside() || part.planes() == 0 || met.planes.size() > kMostPlanes) return {};
   const CellPlace& place = met.place;
   if (place.half < cells.limit_up()) return {};  // labels say so as quickly
   const Point c = inner_point(part, place, y);
-  const bool is_clear = (c - place.center).lpNorm<Eigen::Infinity>() <= place.half * 0.875 &&
-                        part.holds(met.planes, c) && has_no_triangle(cells, part, met, c) &&
-                        !cells.is_outside(c);
-  return is_clear ? std::optional(c) : std::nullopt;
+  if ((c - place.center).lpNorm<Eigen::Infinity>() > place.half * 0.875) return {};
+  if (!part.holds(met.planes, c) || !has_no_triangle(cells, part, met, c)) return {};
+  return ClearPoint{c, cells.is_outside(c)};
 }
 
 }  // namespace convexact

@@ -25,10 +25,14 @@ inline constexpr double kInnerSlack = kReachSlack / 2;
 /// @return Nothing if the part has no planes, or is so thin that points would move too far.
 [[nodiscard]] std::optional<InnerPart> inner_part(const ReachCells& cells, const NearPart& part);
 
-/// A point inside of what a part and a cell have in common, if it is certain that all of that is
-/// inside of the solid: no triangle runs through it, and the surface winds about the point.
+/// A point inside of what a part and a cell have in common, if it is certain that no triangle runs
+/// through that: all of it is inside of the solid, or outside, as the point is.
+struct ClearPoint {
+  Point point;
+  bool is_outside;
+};
 /// @param y  A point of the part, up to rounding; the nearer to the center of the cell the better.
-[[nodiscard]] std::optional<Point> clear_point(const ReachCells& cells, const NearPart& part,
-                                               const MetCell& met, const Point& y);
+[[nodiscard]] std::optional<ClearPoint> clear_point(const ReachCells& cells, const NearPart& part,
+                                                    const MetCell& met, const Point& y);
 
 }  // namespace convexact

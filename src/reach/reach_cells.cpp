@@ -11,7 +11,7 @@ constexpr double kFinest = 64;  // cells are refined until T is this many times 
 }  // namespace
 
 ReachCells::ReachCells(const Surface& surface, const Winding* winding, const NearFrame& frame,
-                       const Rational& squared_limit)
+                       const Rational& squared_limit, bool is_at_zero)
     : surface_(surface),
       winding_(winding),
       frame_(frame),
@@ -19,6 +19,7 @@ ReachCells::ReachCells(const Surface& surface, const Winding* winding, const Nea
       limit_down_(frame.root_down(squared_limit)),
       limit_up_(frame.root_up(squared_limit)),
       limit_near_(limit_down_ * (1 - kReachSlack)),
+      is_at_zero_(is_at_zero),
       most_(kReachCells) {
   // Finer than rounding nothing can be told.
   while (least_half_ > std::max(limit_down_ / kFinest, 0x1p-30)) least_half_ /= 2;

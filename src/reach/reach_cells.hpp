@@ -37,8 +37,10 @@ struct CellPlace {
 class ReachCells {
  public:
   /// @param winding  Null for an open surface.
+  /// @param squared_limit  > 0.
+  /// @param is_at_zero  It stands for 0.
   ReachCells(const Surface& surface, const Winding* winding, const NearFrame& frame,
-             const Rational& squared_limit);
+             const Rational& squared_limit, bool is_at_zero = false);
 
   enum class Label : std::uint8_t { Unknown, Near, Inside, Open };
 
@@ -47,6 +49,8 @@ class ReachCells {
   /// Bounds of T in the frame.
   double limit_down() const { return limit_down_; }
   double limit_up() const { return limit_up_; }
+  /// Whether T is 0: the limit is that of cells only, and what is certainly outside is beyond.
+  bool is_at_zero() const { return is_at_zero_; }
   std::size_t size() const { return cells_.size(); }
   /// Forgets all cells if there are more than half as many as are kept, so that another question
   /// has room. What they were is found again.
@@ -97,6 +101,7 @@ class ReachCells {
   NearFrame frame_;
   NearTriangles triangles_;
   double limit_down_, limit_up_, limit_near_, least_half_ = 2;
+  bool is_at_zero_;
   std::size_t most_;
   std::vector<Cell> cells_{1};
 };

@@ -98,9 +98,10 @@ class CertificateWriter {
       made_.apart.push_back({number, met.part, -seen.hull.towards});
       return true;
     }
-    const std::optional<Point> clear = clear_point(cells_, near_[met.part], met.cell, seen.nearest);
-    if (clear) made_.clear.push_back({number, met.part, cells_.frame().point(*clear)});
-    return clear.has_value();
+    const auto clear = clear_point(cells_, near_[met.part], met.cell, seen.nearest);
+    if (!clear || clear->is_outside) return false;
+    made_.clear.push_back({number, met.part, cells_.frame().point(clear->point)});
+    return true;
   }
 
   // An earlier cell of the inside that has a side, or a piece of it, in common with this one.

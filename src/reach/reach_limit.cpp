@@ -44,8 +44,8 @@ class CellWalk {
   virtual double least_half() const { return cells_.least_half(); }
   // What exact numbers know of a cell: nothing here.
   virtual bool may_decide() const { return false; }
-  // Whether the part has a point that is beyond T, the one nearest to the center of a cell.
-  virtual bool confirms(const CellPlace&) { return true; }
+  // Whether the part has a point that is beyond T: y, or the one nearest to the center of a cell.
+  virtual bool confirms(const CellPlace&, const Point&) { return true; }
   // Whether what the part and the cell have in common is near enough, or beyond T.
   virtual bool decides(const MetCell&, bool) { return false; }
 
@@ -63,13 +63,20 @@ class CellWalk {
     const SeenPart part = seen_from(met, near_);
     if (part.is_apart) return Below::Skip;
     if (part.has_center) {
-      refute(place, place.center, cells_.distance(place.cell));
+      refute(place, place.center, cells_.distance(place.cell), cells_.is_at_zero());
     } else if (cells_.distance(place.cell).high + part.hull.bounds.high > cells_.limit_up()) {
       const Point& y = part.nearest;
-      refute(place, y, cells_.triangles().nearest(y, cells_.triangle(place.cell)).distance);
+      refute(place, y, cells_.triangles().nearest(y, cells_.triangle(place.cell)).distance, false);
     }
     if (is_beyond_) return Below::Stop;
-    if (clear_point(cells_, near_, met, part.nearest)) return Below::Skip;
+    if (const auto clear = clear_point(cells_, near_, met, part.nearest)) {
+      if (!clear->is_outside) return Below::Skip;
+      if (cells_.is_at_zero()) {
+        const Point& y = clear->point;
+        refute(place, y, cells_.triangles().nearest(y, cells_.triangle(place.cell)).distance, true);
+        if (is_beyond_) return Below::Stop;
+      }
+    }
     const bool is_least = place.half <= least_half() || !cells_.may_have_children(place.cell);
     if (decides(met, is_least)) return is_beyond_ ? Below::Stop : Below::Skip;
     if (!is_least) return Below::Visit;
@@ -83,8 +90,9 @@ class CellWalk {
 
   // A point y of the part, up to rounding, that is about in the cell. Rounding moved it by less
   // than kReachError, so it did not take it through the surface.
-  void refute(const CellPlace& place, const Point& y, const NearBounds& distance) {
-    const bool is_far = distance.low > cells_.limit_up() + kReachError;
+  // @param suffices  It is beyond T if it is outside, however near.
+  void refute(const CellPlace& place, const Point& y, const NearBounds& distance, bool suffices) {
+    const bool is_far = distance.low > (suffices ? 0 : cells_.limit_up()) + kReachError;
     if (!is_far && (!may_decide() || distance.low <= most_found_)) return;
     const bool is_center = y == place.center;
     if (!(is_center ? cells_.is_outside(place) : cells_.is_outside(y))) return;
@@ -93,7 +101,7 @@ class CellWalk {
       found_at_ = place;
     }
     if (is_far && open_.distance < distance.low) open_ = {y, distance.low};
-    is_beyond_ = is_far && confirms(place);
+    is_beyond_ = is_far && confirms(place, y);
   }
 
   // The point of the part that is nearest to the center of a cell.
@@ -126,7 +134,7 @@ class PartWalk : public CellWalk {
     if (is_within()) return {};
     if (is_beyond_) return {Reach::Beyond, std::move(farthest_), {}};
     PartReach result{Reach::Undecided, {}, {}};
-    if (most_found_ > 0) consider(point_of_part(found_at_), result.witness);
+    if (most_found_ > 0) consider(point_of_part(found_at_, found_at_.center), result.witness);
     const Rational high = cells_.frame().length(open_high_);
     const Rational low = result.witness ? result.witness->squared : Rational(0);
     result.bracket = SquaredBracket{std::min(low, squared_limit_), high * high};
@@ -139,8 +147,8 @@ class PartWalk : public CellWalk {
                   : std::max(cells_.least_half(), kClipTo * cells_.limit_up());
   }
   bool may_decide() const override { return clips_; }
-  bool confirms(const CellPlace& place) override {
-    return consider(point_of_part(place), farthest_);
+  bool confirms(const CellPlace& place, const Point& y) override {
+    return consider(point_of_part(place, y), farthest_);
   }
 
   bool decides(const MetCell& met, bool is_least) override {
@@ -150,11 +158,11 @@ class PartWalk : public CellWalk {
     return met.planes.size() <= kClipPlanes && clip(met.place, is_least);
   }
 
-  // The point of the part that is nearest to the center of a cell.
-  RationalPoint point_of_part(const CellPlace& place) const {
-    RationalPoint center = cells_.frame().point(place.center);
-    if (holds(part_, center)) return center;
-    return UnionDistance(std::span(&part_, 1)).nearest_in(0, center);
+  // A point, if the part holds it, else the one that is nearest to the center of a cell.
+  RationalPoint point_of_part(const CellPlace& place, const Point& y) const {
+    RationalPoint exact = cells_.frame().point(y);
+    if (holds(part_, exact)) return exact;
+    return UnionDistance(std::span(&part_, 1)).nearest_in(0, cells_.frame().point(place.center));
   }
 
   // Whether a point of the part is outside of the solid and farther than T, exactly. It becomes the
@@ -271,7 +279,8 @@ class FarthestWalk {
     if (part.has_center && distance.low > best && cells_.is_outside(place)) {
       best_ = FarPlace{place.center, distance.low};
     }
-    if (clear_point(cells_, near_, met, part.nearest)) return Below::Skip;
+    const auto clear = clear_point(cells_, near_, met, part.nearest);
+    if (clear && !clear->is_outside) return Below::Skip;
     if (place.half <= cells_.limit_up() * kFine) return Below::Skip;
     return cells_.may_have_children(place.cell) ? Below::Visit : Below::Skip;
   }
@@ -292,11 +301,26 @@ NearPart in_frame(const ReachCells& cells, NearPart part) {
   return part;
 }
 
+// Points that are all within T of one triangle have a hull that is, too.
+bool are_near_one_triangle(const ReachCells& cells, std::span<const Point> points) {
+  Point sum = Point::Zero();
+  for (const Point& y : points) sum += y;
+  const std::uint32_t middle =
+      cells.triangles().nearest(sum / static_cast<double>(points.size())).triangle;
+  return std::all_of(points.begin(), points.end(), [&](const Point& y) {
+    return cells.triangles().to_triangle(middle, y).high <= cells.limit_down();
+  });
+}
+
 // The same for a walk by cells alone.
 NearPart inner_in_frame(const ReachCells& cells, NearPart part) {
   NearPart whole = in_frame(cells, std::move(part));
   std::optional<InnerPart> inner = inner_part(cells, whole);
   return inner ? std::move(inner->part) : std::move(whole);
+}
+
+Rational least_squared_limit(const Surface& surface) {
+  return bounding_box(surface.points).squared_diameter() * kLeastReach * kLeastReach;
 }
 
 NearFrame frame_for(const Surface& surface, std::span<const BoundingBox> boxes) {
@@ -309,11 +333,13 @@ NearFrame frame_for(const Surface& surface, std::span<const BoundingBox> boxes) 
 
 ReachLimit::Search::Search(const Surface& surface, const Winding* winding, const Rational& squared,
                            std::span<const BoundingBox> boxes)
-    : squared_limit(squared), cells(surface, winding, frame_for(surface, boxes), squared) {}
+    : squared_limit(squared),
+      cells(surface, winding, frame_for(surface, boxes),
+            squared > 0 ? squared : least_squared_limit(surface), squared == 0) {}
 
 ReachLimit::ReachLimit(const Surface& surface, const Winding* winding,
                        const Rational& squared_limit, std::span<const BoundingBox> boxes) {
-  if (squared_limit <= 0) throw Error(ErrorCode::InvalidArgument, "a reach limit that is not > 0");
+  if (squared_limit < 0) throw Error(ErrorCode::InvalidArgument, "a reach limit below 0");
   if (surface.triangles.empty()) throw Error(ErrorCode::InvalidArgument, "a surface of nothing");
   search_ = std::make_unique<Search>(surface, winding, squared_limit, boxes);
 }
@@ -340,24 +366,14 @@ bool ReachLimit::allows(const ConvexPart& part, const Watch& watch) {
   return CellWalk(cells, inner_in_frame(cells, NearPart(part, cells.frame())), watch).is_within();
 }
 
-// A set of points that are all within T of one triangle has a hull that is, too. That settles most
-// small clusters.
+// That settles most small clusters.
 bool ReachLimit::allows_hull(std::span<const PointId> points, const Watch& watch) {
   constexpr std::size_t kFew = 64;  // points, of which it does not pay to find the extreme ones
   ReachCells& cells = search_->cells;
   cells.make_room();
   std::vector<Point> near;
-  Point sum = Point::Zero();
-  for (const PointId p : points) {
-    near.push_back(cells.triangles().point(p));
-    sum += near.back();
-  }
-  const std::uint32_t middle =
-      cells.triangles().nearest(sum / static_cast<double>(near.size())).triangle;
-  const auto is_near = [&](const Point& y) {
-    return cells.triangles().to_triangle(middle, y).high <= cells.limit_down();
-  };
-  if (std::all_of(near.begin(), near.end(), is_near)) return true;
+  for (const PointId p : points) near.push_back(cells.triangles().point(p));
+  if (are_near_one_triangle(cells, near)) return true;
   if (near.size() > kFew) {
     const HullOutcome outcome = convex_hull(subset(cells.surface().points, points));
     if (const auto* hull = std::get_if<Hull>(&outcome)) {
@@ -380,9 +396,12 @@ bool ReachLimit::allows_near(std::span<const Point> points, const Watch& watch) 
 std::optional<FarPlace> ReachLimit::farthest(std::span<const Point> points, const Watch& watch) {
   ReachCells& cells = search_->cells;
   cells.make_room();
+  // A sliver along a face would take cells as small as T all over it.
+  if (cells.is_at_zero() && are_near_one_triangle(cells, points)) return {};
   const NearPart near = inner_in_frame(cells, NearPart(near_solid(points)));
   CellWalk walk(cells, near, watch);
   if (walk.is_within()) return {};
+  if (cells.is_at_zero()) return walk.open_place();
   if (auto found = FarthestWalk(cells, near, watch).find()) return found;
   return walk.open_place();
 }

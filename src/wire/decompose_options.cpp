@@ -49,7 +49,7 @@ Fields<DecomposeRequest> make_fields() {
             return spell_limit(limit.value_or(kDefaultDistance));
           },
           "how far a point of a part may be from the solid, for cut, guard and merge: a share of "
-          "the diameter, 3% or 0.03d, or a length, 0.05"),
+          "the diameter, 3% or 0.03d, or a length, 0.05; 0, cut only: parts in the solid, exactly"),
       choice_field<R>("effort", &R::effort, kEffortNames,
                       "cut only: how much to try for fewer parts: high takes several times as long "
                       "as low"),

@@ -98,6 +98,7 @@ std::string concavity_line(const Decomposition& decomposition, std::span<const s
 
 // "3% of the diameter (0.07764)", of a length.
 std::string length_text(const Rational& squared, const Decomposition& decomposition) {
+  if (squared == 0) return "0";
   const Enclosure length = enclosed_root_of(squared);
   return fmt::format("{} of the diameter ({})",
                      percent_text(percent_of(length, decomposition.squared_diameter())),
@@ -125,6 +126,15 @@ std::string reach_lines(const Decomposition& decomposition, std::span<const std:
   const auto beyond = static_cast<std::size_t>(
       std::count_if(reach.farther.begin(), reach.farther.end(),
                     [](const auto& x) { return x.reach.reach == Reach::Beyond; }));
+  if (reach.squared_distance == 0 && beyond == 0) {
+    return summary_line(
+        "reach",
+        fmt::format("{} of {} {} a volume outside of the solid, no farther than {} from "
+                    "it: corners that no number of the format is are rounded outward",
+                    reach.farther.size(), counted(decomposition.parts.size(), "part", "parts"),
+                    reach.farther.size() == 1 ? "has" : "have",
+                    length_text(reach.farther.front().reach.bracket->high, decomposition)));
+  }
   const DecompositionReach::Farther* worst = nullptr;
   for (const auto& x : reach.farther) {
     if (x.reach.witness && (!worst || x.reach.witness->squared > worst->reach.witness->squared)) {
@@ -281,14 +291,15 @@ std::string stored_line(const Decomposition& decomposition, Precision precision)
         std::count_if(decomposition.parts.begin(), decomposition.parts.end(),
                       [&](const Part& part) { return part.form == form; }));
   };
-  constexpr std::pair<PartForm, const char*> kSaid[] = {
-      {PartForm::Hull, "with corners of the input, bit by bit"},
+  const bool is_cut = std::holds_alternative<Partition>(decomposition.origin);
+  const std::pair<PartForm, const char*> said_of[] = {
+      {PartForm::Hull, is_cut ? "exactly" : "with corners of the input, bit by bit"},
       {PartForm::Rounded, "rounded outward"},
       {PartForm::Simplified, "simplified"},
       {PartForm::Thickened, "flat, and thickened"},
       {PartForm::Flat, "flat, and left so"}};
   std::vector<std::string> forms;
-  for (const auto& [form, said] : kSaid) {
+  for (const auto& [form, said] : said_of) {
     if (const std::size_t parts = count(form)) {
       forms.push_back(fmt::format("{} {}", with_separators(parts), said));
     }
@@ -335,6 +346,7 @@ std::string proven_of_parts(const Decomposition& decomposition) {
       fmt::format("{} hold{} the {}", counted(decomposition.parts.size(), "part", "parts"),
                   decomposition.parts.size() == 1 ? "s" : "", covered_name(decomposition));
   if (decomposition.reach && decomposition.reach->farther.empty()) {
+    if (decomposition.reach->squared_distance == 0) return text + " and nothing else";
     text += "; no point of them is farther than " +
             length_text(decomposition.reach->squared_distance, decomposition) + " from it";
   }

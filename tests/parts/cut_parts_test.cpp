@@ -11,8 +11,10 @@
 #include "convexact/decompose.hpp"
 #include "convexact/hull_tree.hpp"
 #include "convexact/io.hpp"
+#include "convexact/reach.hpp"
 #include "convexact/verify_parts.hpp"
 #include "expect_error.hpp"
+#include "number/random.hpp"
 #include "proof/decomposition_proof.hpp"
 #include "sweep.hpp"
 
@@ -113,6 +115,62 @@ TEST_CASE("cut parts: solids of cells are taken apart exactly" * sweep) {
     check_guarantee(mesh, made, request);
     for (const Part& part : made.parts) CHECK(part.form == PartForm::Hull);
   }
+}
+
+TEST_CASE("cut parts: at a distance of 0 the volume of the parts is that of the solid" * sweep) {
+  Random random(48);
+  const auto below = [&](std::uint64_t n) { return static_cast<int>(uniform_below(random, n)); };
+  int tested = 0;
+  for (int world = 0; world < 40; ++world) {
+    std::set<Cell> cells;
+    for (int k = 0; k < 20; ++k) cells.insert({below(3), below(3), below(3)});
+    const Mesh mesh = mesh_of_cells(cells);
+    const DecomposeRequest request = cutting("0");
+    // Walls inside of the solid, as around a cavity that counts as filled, would take many cells.
+    const Surface surface = make_surface(mesh);
+    const Winding winding(surface);
+    const Rational half(1, 2);
+    bool has_walls = false;
+    for (const auto& [x, y, z] : block_without({})) {
+      has_walls = has_walls || *winding(RationalPoint(x + half, y + half, z + half)) !=
+                                   (cells.contains({x, y, z}) ? 1 : 0);
+    }
+    if (has_walls) continue;
+    CAPTURE(world);
+    ++tested;
+    const Decomposition made = cut_of(mesh, request);
+    CHECK(made.reach->squared_distance == 0);
+    CHECK(made.limit_holds);
+    CHECK(*made.measures->union_volume->exact == static_cast<long>(cells.size()));
+    check_guarantee(mesh, made, request);
+  }
+  CHECK(tested > 10);
+}
+
+TEST_CASE("cut parts: rounded outward, parts are not within 0") {
+  DecomposeRequest request = cutting("0");
+  const Decomposition made = cut_of(shipped("cases/tube"), request);
+  CHECK_FALSE(made.limit_holds);
+  CHECK(*made.measures->excess_volume->exact > 0);
+  REQUIRE(made.reach->farther.size() > 0);
+  for (const auto& [part, found] : made.reach->farther) {
+    CHECK(found.reach == Reach::Undecided);
+    CHECK(found.bracket->low == 0);
+    CHECK(found.bracket->high <= made.squared_diameter() * 4 * kLeastReach * kLeastReach);
+  }
+}
+
+TEST_CASE("cut parts: distances that are refused") {
+  const Mesh mesh = mesh_of_cells({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}});
+  DecomposeRequest request = cutting("1/10000000");
+  CHECK(error_of([&] { (void)decompose(mesh, request); }).code() == ErrorCode::InvalidArgument);
+  request = cutting("0");
+  Mesh open = mesh;
+  open.polygons.pop_back();
+  CHECK(error_of([&] { (void)decompose(open, request); }).code() == ErrorCode::InvalidArgument);
+  request.method = DecomposeMethod::Hacd;
+  request.guard = ReachUse::Reach;
+  CHECK(error_of([&] { (void)decompose(mesh, request); }).code() == ErrorCode::InvalidArgument);
 }
 
 // The numbers of parts of the specification, with its slack.
@@ -299,7 +357,7 @@ TEST_CASE("cut parts: what does not apply is refused") {
   refuses([](DecomposeRequest& r) { r.measure = ConcavityMeasure::Vertices; });
   refuses([](DecomposeRequest& r) { r.connect = Connect::Touching; });
   refuses([](DecomposeRequest& r) { r.flat = FlatParts::Merge; });
-  refuses([](DecomposeRequest& r) { r.distance->value = 0; });
+  refuses([](DecomposeRequest& r) { r.distance->value = -1; });
   refuses([](DecomposeRequest& r) { r.max_excess = Rational(-1); });
   refuses([](DecomposeRequest& r) {
     r.method = DecomposeMethod::Hacd;

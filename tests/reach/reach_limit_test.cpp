@@ -299,7 +299,7 @@ TEST_CASE("reach: a box of cells is within a small distance iff the surface wind
       const Rational half(1, 2);
       return *(*at.winding)(RationalPoint(cell[0] + half, cell[1] + half, cell[2] + half)) != 0;
     };
-    ReachLimit limit = at.limit(squared_of(0x1p-12), {});
+    ReachLimit limit = at.limit(squared_of(world % 2 == 0 ? 0x1p-12 : 0), {});
     for (int k = 0; k < 4; ++k) {
       std::array<int, 3> low{}, high{};
       bool is_there = true;
@@ -324,6 +324,27 @@ TEST_CASE("reach: a box of cells is within a small distance iff the surface wind
   }
   CHECK(within > 50);
   CHECK(beyond > 50);
+}
+
+TEST_CASE("reach: at T = 0 a point outside refutes, however near") {
+  const World world(support::mesh_of_cells({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}));
+  ReachLimit limit = world.limit(0, {});
+  CHECK(limit(part_of(Box{{0, 0, 0}, {2, 1, 1}})).reach == Reach::Within);
+  for (const double out : {1.0, 0x1p-6, 0x1p-12}) {
+    const ConvexPart part = part_of(Box{{0, 0, 0}, {2, 1 + out, 1}});
+    CAPTURE(out);
+    CHECK_FALSE(limit.allows(part));
+    const PartReach found = limit(part);
+    REQUIRE(found.reach == Reach::Beyond);
+    const RationalPoint& x = found.witness->point;
+    CHECK(holds(part, x));
+    CHECK(x[0] > 1);
+    CHECK(x[1] > 1);
+    CHECK(found.witness->squared == squared_distance(x, {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}));
+  }
+  // So thin that no point there is certain: volumes decide.
+  const double out = 0x1p-40;
+  CHECK(limit.allows(part_of(Box{{0, 0, 0}, {2, 1 + out, 1}})));
 }
 
 TEST_CASE("reach: along a facet that lies in a face, cells need not be small") {
@@ -360,7 +381,7 @@ TEST_CASE("reach: what a part has in a clear cell is near, in exact numbers" * s
   Random random(48);
   const auto below = [&](std::uint64_t n) { return static_cast<int>(uniform_below(random, n)); };
   const Rational squared = squared_of(0x1p-10);
-  std::size_t clear = 0, others = 0;
+  std::size_t clear = 0, outside = 0, others = 0;
   for (int world = 0; world < 40; ++world) {
     std::set<Cell> cells;
     for (int k = 0; k < 20; ++k) cells.insert({below(kSize), below(kSize), below(kSize)});
@@ -383,7 +404,11 @@ TEST_CASE("reach: what a part has in a clear cell is near, in exact numbers" * s
     for (std::size_t k = 0; k < open.size() && k < 300; ++k) {
       const MetCell met = open[k];
       const NearHull hull = near_hull(near.vertices(), met.place.center);
-      if (clear_point(octree, near, met, met.place.center + hull.nearest)) {
+      const auto found = clear_point(octree, near, met, met.place.center + hull.nearest);
+      if (found && found->is_outside) {
+        CHECK(squared_distance(octree.frame().point(found->point), cells) > 0);
+        ++outside;
+      } else if (found) {
         ++clear;
         // A convex piece that no triangle runs through is near if its corners are.
         for (const RationalPoint& x : common_corners(part, met.place, octree.frame())) {
@@ -399,8 +424,9 @@ TEST_CASE("reach: what a part has in a clear cell is near, in exact numbers" * s
       }
     }
   }
-  MESSAGE("clear ", clear, ", others ", others);
+  MESSAGE("clear ", clear, ", outside ", outside, ", others ", others);
   CHECK(clear > 200);
+  CHECK(outside > 20);
   CHECK(others > 200);
 }
 
@@ -480,7 +506,7 @@ TEST_CASE("reach: what it refuses") {
   CHECK(error_of([&] {
           (void)world.limit(squared_of(1), std::span(&outside, 1)).certificate(parts);
         }).code() == ErrorCode::Unrepresentable);
-  CHECK(error_of([&] { (void)world.limit(0, {}); }).code() == ErrorCode::InvalidArgument);
+  CHECK(error_of([&] { (void)world.limit(-1, {}); }).code() == ErrorCode::InvalidArgument);
   CHECK(error_of([&] {
           (void)world.limit(1, {})(part_of(Box{{5, 5, 5}, {9, 9, 9}}));
         }).code() == ErrorCode::InvalidArgument);

@@ -71,17 +71,9 @@ class ReachJudge {
     }
   }
 
-  // The volume of the union of solid parts outside of the solid, exactly. If it is 0 no point of
-  // the union is outside, as each is the limit of interior points.
   std::optional<Rational> excess() const {
-    for (const ConvexPart& part : parts_) {
-      if (!part.solid) return {};
-    }
     if (!surface_.is_closed) return {};
-    StageLog within(StageWatch{.stop = trial_.log.watch().stop});
-    const DecompositionMeasures measures =
-        measure_volumes(surface_, parts_, PartMeasures::All, true, within);
-    return measures.excess_volume->exact;
+    return exact_excess(surface_, parts_, StageWatch{.stop = trial_.log.watch().stop});
   }
 
   std::string limit_text() const { return describe_distance(*trial_.request.distance); }
