@@ -137,7 +137,7 @@ class ReachLimit {
   [[nodiscard]] std::optional<FarPlace> farthest(std::span<const Point> points,
                                                  const Watch& watch = {});
 
-  /// A proof that parts that are all within T by cells alone are so.
+  /// A proof that parts that are all within T > 0 by cells alone are so.
   /// @throws Error Unrepresentable if one of them is not, or if that takes more than kReachCells
   ///               cells.
   ///               Stopped when the watch ends the call.

@@ -39,7 +39,7 @@ std::vector<Point> directions() {
 
 // Leaves that are cut so often are halved from then on.
 constexpr int kDeepest = 40;
-// So many facets' planes are tried where there are no notches.
+// So many facets' planes are tried at a time where there are no notches.
 constexpr std::size_t kMostFacets = 100;
 
 class Cutter {
@@ -50,7 +50,7 @@ class Cutter {
         limit_(limit),
         options_(options),
         points_(surface, limit.frame(), options.is_exact),
-        notches_(surface, points_),
+        notches_(surface, points_, options.only_facets),
         cutter_(surface, winding, points_, planes_, options.watch) {}
 
   Partition run() {
@@ -162,7 +162,7 @@ class Cutter {
       if (!is_known) tried.emplace_back(plane, points_.frame());
     };
     if (options_.only_facets || depth_[n] < kDeepest) {
-      for (const Halfspace& plane : notches_.planes(leaf.notches, options_.only_facets)) add(plane);
+      for (const Halfspace& plane : notches_.planes(leaf.notches)) add(plane);
       if (!options_.only_facets) {
         for (const Point& direction : directions()) {
           add(plane_across(direction, far, points_.frame()));
@@ -176,13 +176,13 @@ class Cutter {
       return choose_plane(leaf, far, tried, points_, winding_, options_.jobs, options_.watch);
     };
     auto best = choose();
-    if (!best && options_.only_facets) {  // bodies with room between them, and no notch
+    // Bodies with room between them have no notch there.
+    for (std::size_t k = 0; !best && options_.only_facets && k < leaf.pieces.size();) {
       tried.clear();
-      for (const Piece& piece : leaf.pieces) {
-        if (tried.size() == kMostFacets) break;
-        if (!has_no_area(points_.surface().points, points_.surface().triangles[piece.triangle])) {
-          add(turned(triangle_plane(points_.surface(), piece.triangle)));
-        }
+      for (; k < leaf.pieces.size() && tried.size() < kMostFacets; ++k) {
+        const std::uint32_t t = leaf.pieces[k].triangle;
+        if (has_no_area(points_.surface().points, points_.surface().triangles[t])) continue;
+        add(turned(triangle_plane(points_.surface(), t)));
       }
       best = choose();
     }

@@ -53,10 +53,10 @@ PointId opposite(const Triangle& triangle, PointId a, PointId b) {
 
 }  // namespace
 
-Notches::Notches(const Surface& surface, const CutPoints& points)
-    : surface_(surface), points_(points) {
+Notches::Notches(const Surface& surface, const CutPoints& points, bool only_facets)
+    : surface_(surface), points_(points), only_facets_(only_facets) {
   EdgeTable(surface.triangles).for_each([&](std::span<const EdgeUse> uses) {
-    // Where sheets touch along an edge, some of them have the room outside between them.
+    if (uses.size() != 2 && !only_facets_) return;
     for (std::size_t k = 1; k < uses.size(); ++k) add(uses[k - 1], uses[k], uses.size() == 2);
   });
 }
@@ -95,8 +95,7 @@ std::vector<NotchEdge> Notches::clipped(const std::vector<NotchEdge>& notches,
   return list;
 }
 
-std::vector<Halfspace> Notches::planes(const std::vector<NotchEdge>& notches,
-                                       bool only_facets) const {
+std::vector<Halfspace> Notches::planes(const std::vector<NotchEdge>& notches) const {
   std::vector<std::pair<double, const NotchEdge*>> order;
   for (const NotchEdge& notch : notches) {
     const Edge& edge = edges_[notch.edge];
@@ -113,7 +112,7 @@ std::vector<Halfspace> Notches::planes(const std::vector<NotchEdge>& notches,
     const Edge& edge = edges_[it->second->edge];
     list.push_back(turned(triangle_plane(surface_, edge.left)));
     list.push_back(turned(triangle_plane(surface_, edge.right)));
-    if (only_facets) continue;
+    if (only_facets_) continue;
     if (const auto plane = bisector(edge)) list.push_back(*plane);
   }
   return list;

@@ -10,21 +10,23 @@
 namespace convexact {
 
 /// The notch edges of a surface: those of two triangles, each of which has the other in front of
-/// it, and those of more; of an open surface all of triangles that are not in one plane.
+/// it; of an open surface all of two triangles that are not in one plane.
 class Notches {
  public:
   /// Keeps a reference. @par Cost  O(n log n)
-  Notches(const Surface& surface, const CutPoints& points);
+  /// @param only_facets  No planes between facets; and edges of more than two triangles are
+  /// notches,
+  ///                     too, as sheets that touch there may have room between them.
+  Notches(const Surface& surface, const CutPoints& points, bool only_facets);
 
   /// All of them, whole.
   std::vector<NotchEdge> all() const;
   /// What of them lies on one side of a plane.
   std::vector<NotchEdge> clipped(const std::vector<NotchEdge>& notches, const CutPlane& plane,
                                  Sign side) const;
-  /// Both facets' planes at the strongest of them, and unless only facets' are asked for the plane
-  /// between these; the strongest first. Strength is the squared length times 1 - c |c|, with c the
-  /// cosine between the normals.
-  std::vector<Halfspace> planes(const std::vector<NotchEdge>& notches, bool only_facets) const;
+  /// Both facets' planes at the strongest of them, and the plane between these; the strongest
+  /// first. Strength is the squared length times 1 - c |c|, with c the cosine between the normals.
+  std::vector<Halfspace> planes(const std::vector<NotchEdge>& notches) const;
 
  private:
   struct Edge {
@@ -37,6 +39,7 @@ class Notches {
 
   const Surface& surface_;
   const CutPoints& points_;
+  const bool only_facets_;
   std::vector<Edge> edges_;
 };
 

@@ -51,15 +51,17 @@ class PartCutter {
   }
 
   CutParts run() {
-    const std::vector<Rational> finer = finenesses(request_.effort);
+    const std::vector<Rational> finer =
+        squared_ > 0 ? finenesses(request_.effort) : std::vector<Rational>{2};
+    const std::vector<Rational> coarser = shares();
     std::optional<CutParts> best;
-    for (const Rational& share : shares()) {
+    for (const Rational& share : coarser) {
       for (const Rational& fineness : finer) {
         CutParts made = cut_and_merge(Rational(share * share * squared_), fineness);
         if (!best || made.parts.size() < best->parts.size()) best = std::move(made);
       }
       if (fits(*best)) break;
-      if (share != kShares.back()) best.reset();
+      if (share != coarser.back()) best.reset();
     }
     return std::move(*best);
   }
@@ -73,7 +75,7 @@ class PartCutter {
            request_.max_facet_vertices || most_volume_;
   }
   std::vector<Rational> shares() const {
-    return is_limited() ? kShares : std::vector{kShares.front()};
+    return is_limited() && squared_ > 0 ? kShares : std::vector{kShares.front()};
   }
 
   CutParts cut_and_merge(const Rational& squared, const Rational& fineness) {

@@ -216,17 +216,24 @@ class Decomposer {
     });
   }
 
-  // Of parts that have no certain point outside: those that have a volume there.
+  // Whether parts have a volume outside of the solid, but for those that have a certain point
+  // there.
   void decide_at_zero(const std::vector<ConvexPart>& stored, const Watch& watch) {
-    auto& farther = made_.reach->farther;
-    if (!farther.empty() || exact_excess(made_.surface, stored, request_.watch) == Rational(0)) {
-      return;
-    }
+    const StageWatch quiet{.stop = request_.watch.stop};
     const Rational most = made_.squared_diameter() * 4 * kLeastReach * kLeastReach;
+    std::vector<DecompositionReach::Farther> beyond = std::move(made_.reach->farther);
+    std::erase_if(beyond, [](const auto& x) { return x.reach.reach != Reach::Beyond; });
+    auto& farther = made_.reach->farther;
+    farther.clear();
+    if (beyond.empty() && exact_excess(made_.surface, stored, quiet) == Rational(0)) return;
+    auto next = beyond.begin();
     for (std::size_t k = 0; k < stored.size(); ++k) {
       watch.at(k, stored.size());
-      if (exact_excess(made_.surface, {stored[k]}, request_.watch) == Rational(0)) continue;
-      farther.push_back({k, {Reach::Undecided, {}, SquaredBracket{Rational(0), most}}});
+      if (next != beyond.end() && next->part == k) {
+        farther.push_back(std::move(*next++));
+      } else if (exact_excess(made_.surface, {stored[k]}, quiet) != Rational(0)) {
+        farther.push_back({k, {Reach::Undecided, {}, SquaredBracket{Rational(0), most}}});
+      }
     }
   }
 

@@ -139,6 +139,9 @@ class CertificateWriter {
 
 ReachCertificate ReachLimit::certificate(std::span<const ConvexPart* const> parts,
                                          const Watch& watch) {
+  if (search_->cells.is_at_zero()) {
+    throw Error(ErrorCode::InvalidArgument, "cells do not prove a distance of 0");
+  }
   search_->cells.make_room();
   return CertificateWriter(search_->cells, parts, watch).write();
 }

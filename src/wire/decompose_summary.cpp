@@ -127,13 +127,17 @@ std::string reach_lines(const Decomposition& decomposition, std::span<const std:
       std::count_if(reach.farther.begin(), reach.farther.end(),
                     [](const auto& x) { return x.reach.reach == Reach::Beyond; }));
   if (reach.squared_distance == 0 && beyond == 0) {
+    const bool is_rounded =
+        std::any_of(decomposition.parts.begin(), decomposition.parts.end(),
+                    [](const Part& part) { return part.form == PartForm::Rounded; });
     return summary_line(
         "reach",
-        fmt::format("{} of {} {} a volume outside of the solid, no farther than {} from "
-                    "it: corners that no number of the format is are rounded outward",
+        fmt::format("{} of {} {} a volume outside of the solid, no farther than {} from it{}",
                     reach.farther.size(), counted(decomposition.parts.size(), "part", "parts"),
                     reach.farther.size() == 1 ? "has" : "have",
-                    length_text(reach.farther.front().reach.bracket->high, decomposition)));
+                    length_text(reach.farther.front().reach.bracket->high, decomposition),
+                    is_rounded ? ": corners that are no numbers of the format are rounded outward"
+                               : ": notches that are too shallow for cells are not cut"));
   }
   const DecompositionReach::Farther* worst = nullptr;
   for (const auto& x : reach.farther) {
