@@ -117,7 +117,7 @@ TEST_CASE("cut parts: solids of cells are taken apart exactly" * sweep) {
   }
 }
 
-TEST_CASE("cut parts: at a distance of 0 the volume of the parts is that of the solid" * sweep) {
+TEST_CASE("cut parts: at a distance of 0 solids without inner walls are filled exactly" * sweep) {
   Random random(48);
   const auto below = [&](std::uint64_t n) { return static_cast<int>(uniform_below(random, n)); };
   int tested = 0;
