@@ -14,7 +14,7 @@ from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).parent))
 from reading import Malformed, Mesh, NotFinite, read  # noqa: E402
-from solid import Flat, Hull, Intersection, dot, integers, squared_excess, without_inner  # noqa: E402
+from solid import Flat, Intersection, dot, hull_of, integers, squared_excess, without_inner  # noqa: E402
 from surface import Surface  # noqa: E402
 
 CLAIMS = ("candidate-readable", "candidate-finite", "candidate-solid", "candidate-bounded", "mesh-closed",
@@ -47,7 +47,7 @@ class Input:
         self.points = list(points)
         (self.integers,), self.scale = integers(self.points)
         try:
-            self.hull = Hull(self.integers)
+            self.hull = hull_of(frozenset(self.integers))
         except Flat:
             self.hull = None
 
@@ -152,7 +152,7 @@ def judge_mesh(verdict, given, mesh, tolerance, asks_hull):
     claims = verdict.claims
     (points, tested), scale = integers(mesh.points, given.points)
     try:
-        hull = Hull(points)
+        hull = hull_of(frozenset(points))
     except Flat as flat:
         claims["candidate-solid"], hull = False, None
         verdict.figures["dimension"] = flat.args[0]
@@ -186,7 +186,7 @@ def judge_rows(verdict, given, rows, tolerance, asks_hull):
     planes = [(row[:3], -row[3] * scale) for row in solid.rows]
     outside = count_outside(verdict, tested, planes, [], scale)
     if solid.state == "solid":
-        hull = Hull(vertices)
+        hull = hull_of(frozenset(vertices))
         judge_hull(verdict, hull, scale)
         measure_distance(verdict, outside, hull, scale)
         claims["contains-input"] = verdict.figures["squared_distance"] <= tolerance

@@ -6,6 +6,7 @@ points in its plane. That each facet has all points on one side is checked by th
 facet. Slow and plain on purpose: it is meant for a few hundred vertices.
 """
 from fractions import Fraction
+from functools import lru_cache
 from itertools import combinations
 from math import lcm
 
@@ -193,6 +194,12 @@ class Hull:
         if all(dot(cross(facet.normal, minus(v, u)), minus(point, u)) >= 0 for u, v in edges):
             return squared_excess(facet.normal, facet.offset, point)
         return min(to_segment(point, u, v) for u, v in edges)
+
+
+@lru_cache(maxsize=8)
+def hull_of(points):
+    """The hull of a frozenset of points: most programs write the corners that others have written for the same input."""
+    return Hull(sorted(points))
 
 
 def squared_excess(normal, offset, point):
