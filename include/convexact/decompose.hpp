@@ -78,8 +78,9 @@ struct DecomposeRequest {
   std::optional<ConcavityLimit> distance = {};
   Close close = Close::Auto;             ///< Of a surface for a guard, or for merging by reach.
   CutEffort effort = CutEffort::Normal;  ///< Of Cut.
-  /// Of Cut: how much larger the parts' volumes together may be than the solid's, as a share of it;
-  /// >= 0. The excess, and what parts overlap, are within it.
+  /// Of Cut, for a closed surface: how much larger the parts' volumes together may be than the
+  /// solid's, as a share of it; >= 0. The excess, and what parts overlap, are within it, unless
+  /// DecompositionExcess says that no way was found to keep them so.
   std::optional<Rational> max_excess = {};
   /// Of Cut: parts have no common interior, but for what rounding moves their corners, and what
   /// `faces`, `max_parts`, thickening and loose points make of them: DecompositionApart tells.
@@ -186,6 +187,13 @@ struct DecompositionReach {
   std::size_t cells = 0;    ///< Of the octree that decided.
 };
 
+/// How much larger the volumes of the parts as stored are together than the solid's.
+struct DecompositionExcess {
+  Rational most;    ///< That was allowed, as a share of the solid's volume.
+  Enclosure share;  ///< That it is.
+  bool holds;       ///< Whether it is no more than allowed: decided exactly.
+};
+
 /// How far parts that are to be disjoint reach into one another, as stored.
 struct DecompositionApart {
   /// The most that a part reaches beyond a plane between it and another one, squared.
@@ -215,6 +223,7 @@ struct Decomposition {
   bool limit_holds = true;           ///< Whether every cluster is within the limit.
   std::size_t tested_triangles = 0;  ///< Whose corners were tested against their owner.
   std::optional<DecompositionReach> reach;        ///< With a guard, or merges by reach.
+  std::optional<DecompositionExcess> excess;      ///< With `max_excess`.
   std::optional<DecompositionApart> apart;        ///< With `disjoint`.
   std::optional<DecompositionMeasures> measures;  ///< Beside the proof, of the parts as stored.
   std::vector<Stage> stages;

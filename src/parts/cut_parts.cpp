@@ -5,10 +5,8 @@
 #include <numeric>
 #include <optional>
 
-#include "convexact/measure.hpp"
 #include "near/frame.hpp"
 #include "number/arithmetic.hpp"
-#include "number/precision.hpp"
 #include "parts/merge_by_reach.hpp"
 #include "parts/stored_part.hpp"
 #include "task/parallel.hpp"
@@ -33,22 +31,15 @@ int rounds_of(CutEffort effort) {
 class PartCutter {
  public:
   PartCutter(const Surface& surface, const Winding* winding, const Rational& squared_distance,
-             const DecomposeRequest& request, StageLog& log)
+             const VolumeLimit* volume_limit, const DecomposeRequest& request, StageLog& log)
       : surface_(surface),
         winding_(winding),
         squared_(squared_distance),
         box_(bounding_box(surface.points)),
         squared_diameter_(box_.squared_diameter()),
+        volume_limit_(volume_limit),
         request_(request),
-        log_(log) {
-    if (request.max_excess && winding != nullptr) {
-      most_volume_ = log.run("solid's volume", [&] {
-        const Measured solid =
-            solid_volume(surface, kMeasureBits, false, log.watch("solid's volume"));
-        return Rational(solid.bounds.low() * (1 + *request.max_excess));
-      });
-    }
-  }
+        log_(log) {}
 
   CutParts run() {
     const std::vector<Rational> finer =
@@ -72,7 +63,7 @@ class PartCutter {
 
   bool is_limited() const {
     return request_.faces || request_.total_faces || request_.max_vertices ||
-           request_.max_facet_vertices || most_volume_;
+           request_.max_facet_vertices || volume_limit_;
   }
   std::vector<Rational> shares() const {
     return is_limited() && squared_ > 0 ? kShares : std::vector{kShares.front()};
@@ -127,9 +118,10 @@ class PartCutter {
                               .seed = request_.seed,
                               .keeps_apart = request_.disjoint};
     if (request_.max_parts) options.most_parts = *request_.max_parts;
-    if (most_volume_) {
-      options.most_volume = to_double(
-          scale_by_power_of_two(*most_volume_, -3 * limit.frame().exponent), Rounding::Down);
+    if (volume_limit_ != nullptr) {
+      options.most_volume =
+          to_double(scale_by_power_of_two(volume_limit_->least(), -3 * limit.frame().exponent),
+                    Rounding::Down);
     }
     for (auto& group : merge_by_reach(pieces, limit, options, watch).parts) {
       std::vector<Point> points;
@@ -158,12 +150,9 @@ class PartCutter {
     std::vector<Part> parts = made.parts;
     const std::vector<ConvexPart> stored = store_parts(parts, squared_diameter_, request_, log_);
     std::vector<BoundingBox> boxes;
-    Rational volume = 0;
-    for (const ConvexPart& part : stored) {
-      boxes.push_back(part.box);
-      if (part.solid) volume += enclose_volume(*part.solid, kMeasureBits).high();
-    }
-    if (most_volume_ && volume > *most_volume_) return false;
+    for (const ConvexPart& part : stored) boxes.push_back(part.box);
+    if (volume_limit_ != nullptr && !(*volume_limit_)(stored, log_.watch(kMerge)).holds)
+      return false;
     ReachLimit limit(surface_, winding_, squared_, boxes);
     return std::all_of(stored.begin(), stored.end(), [&](const ConvexPart& part) {
       return limit.allows(part, log_.watch(kMerge));
@@ -175,17 +164,17 @@ class PartCutter {
   const Rational& squared_;
   const BoundingBox box_;
   const Rational squared_diameter_;
+  const VolumeLimit* volume_limit_;
   const DecomposeRequest& request_;
   StageLog& log_;
-  std::optional<Rational> most_volume_;
 };
 
 }  // namespace
 
 CutParts cut_into_parts(const Surface& surface, const Winding* winding,
-                        const Rational& squared_distance, const DecomposeRequest& request,
-                        StageLog& log) {
-  return PartCutter(surface, winding, squared_distance, request, log).run();
+                        const Rational& squared_distance, const VolumeLimit* volume_limit,
+                        const DecomposeRequest& request, StageLog& log) {
+  return PartCutter(surface, winding, squared_distance, volume_limit, request, log).run();
 }
 
 }  // namespace convexact

@@ -5,7 +5,7 @@
 
 #include "convexact/decompose.hpp"
 #include "convexact/partition.hpp"
-#include "solid/stage_log.hpp"
+#include "parts/part_volumes.hpp"
 
 namespace convexact {
 
@@ -19,12 +19,14 @@ struct CutParts {
 /// Cuts until what each region has of the solid is within half the distance, since finer leaves
 /// merge into fewer parts; then merges by the distance. With more effort several such shares are
 /// tried. Where parts are simplified, the distance to merge by is lowered until they are within the
-/// whole distance then.
+/// whole distance then, and their volumes within the limit; the last attempt is kept if none is.
 /// @param winding           Of the surface; null if it is open.
 /// @param squared_distance  > 0.
+/// @param volume_limit      Null if there is none.
 /// @throws Error Stopped, and as store_parts().
 [[nodiscard]] CutParts cut_into_parts(const Surface& surface, const Winding* winding,
                                       const Rational& squared_distance,
+                                      const VolumeLimit* volume_limit,
                                       const DecomposeRequest& request, StageLog& log);
 
 }  // namespace convexact

@@ -16,6 +16,7 @@
 #include "parts/flat_part.hpp"
 #include "parts/inner_parts.hpp"
 #include "parts/merge_by_reach.hpp"
+#include "parts/part_reach.hpp"
 #include "parts/part_volumes.hpp"
 #include "parts/request_rules.hpp"
 #include "parts/stored_part.hpp"
@@ -75,6 +76,7 @@ class Decomposer {
       prove(made_, request_.watch.stop);
     });
     decide_reach(stored);
+    if (volume_limit_) made_.excess = (*volume_limit_)(stored, log_.watch("excess"));
     if (cuts(request_)) find_planes_between(stored);
     if (request_.measures != PartMeasures::None) {
       made_.measures = measure_volumes(made_.surface, stored, request_.measures,
@@ -97,27 +99,13 @@ class Decomposer {
     made_.reach.emplace();
     made_.reach->squared_distance =
         request_.distance.value_or(kDefaultDistance).squared(squared_diameter);
-    require_told(made_.reach->squared_distance / squared_diameter);
+    require_told(made_.reach->squared_distance / squared_diameter, made_.surface.is_closed);
     if (made_.surface.is_closed) winding_.emplace(made_.surface);
     if (cuts(request_)) return;  // cutting has limits of its own
     limit_.emplace(reach_limit(made_.reach->squared_distance, {}));
     // Finer than asked: what is merged in the end makes use of it.
     if (request_.merge == ReachUse::Reach) {
       half_limit_.emplace(reach_limit(made_.reach->squared_distance / 4, {}));
-    }
-  }
-
-  void require_told(const Rational& squared_share) const {
-    if (squared_share > 0 && squared_share < kLeastReach * kLeastReach) {
-      throw Error(
-          ErrorCode::InvalidArgument,
-          "a distance of less than 2^-20 of the diameter, about a millionth, cannot be told "
-          "by cells: allow more, or 0 with the method cut");
-    }
-    if (squared_share == 0 && !made_.surface.is_closed) {
-      throw Error(ErrorCode::InvalidArgument,
-                  "an open surface bounds no solid that its parts could fill: allow a distance "
-                  "above 0");
     }
   }
 
@@ -198,13 +186,8 @@ class Decomposer {
       });
       const std::size_t cells = limit_ ? limit_->cells() : 0;
       if (!limit_ || !are_hulls) limit_.emplace(reach_limit(made_.reach->squared_distance, boxes));
-      for (std::size_t k = 0; k < stored.size(); ++k) {
-        watch.at(k, stored.size());
-        if (limit_->allows(stored[k], watch)) continue;
-        PartReach reach = (*limit_)(stored[k], watch);
-        if (reach.reach != Reach::Within) made_.reach->farther.push_back({k, std::move(reach)});
-      }
-      if (made_.reach->squared_distance == 0) decide_at_zero(stored, watch);
+      made_.reach->farther =
+          farther_parts(made_, stored, *limit_, StageWatch{.stop = request_.watch.stop}, watch);
       made_.reach->cells = std::max({made_.reach->cells, cells, limit_->cells()});
       if (const auto* clustering = std::get_if<Clustering>(&made_.origin)) {
         made_.reach->refused = clustering->refused;
@@ -214,27 +197,6 @@ class Decomposer {
         made_.limit_holds = made_.reach->farther.empty();
       }
     });
-  }
-
-  // Whether parts have a volume outside of the solid, but for those that have a certain point
-  // there.
-  void decide_at_zero(const std::vector<ConvexPart>& stored, const Watch& watch) {
-    const StageWatch quiet{.stop = request_.watch.stop};
-    const Rational most = made_.squared_diameter() * 4 * kLeastReach * kLeastReach;
-    std::vector<DecompositionReach::Farther> beyond = std::move(made_.reach->farther);
-    std::erase_if(beyond, [](const auto& x) { return x.reach.reach != Reach::Beyond; });
-    auto& farther = made_.reach->farther;
-    farther.clear();
-    if (beyond.empty() && exact_excess(made_.surface, stored, quiet) == Rational(0)) return;
-    auto next = beyond.begin();
-    for (std::size_t k = 0; k < stored.size(); ++k) {
-      watch.at(k, stored.size());
-      if (next != beyond.end() && next->part == k) {
-        farther.push_back(std::move(*next++));
-      } else if (exact_excess(made_.surface, {stored[k]}, quiet) != Rational(0)) {
-        farther.push_back({k, {Reach::Undecided, {}, SquaredBracket{Rational(0), most}}});
-      }
-    }
   }
 
   void find_planes_between(const std::vector<ConvexPart>& stored) {
@@ -260,12 +222,27 @@ class Decomposer {
 
   void cut_solid() {
     if (!made_.reach) throw Error(ErrorCode::NoInterior, "all points are the same one");
+    limit_volume();
     CutParts made = cut_into_parts(made_.surface, winding_ ? &*winding_ : nullptr,
-                                   made_.reach->squared_distance, request_, log_);
+                                   made_.reach->squared_distance,
+                                   volume_limit_ ? &*volume_limit_ : nullptr, request_, log_);
     made_.origin = std::move(made.partition);
     made_.parts = std::move(made.parts);
     made_.reach->merged = made.merged;
     made_.reach->cells = made.cells;
+  }
+
+  void limit_volume() {
+    constexpr const char* kStage = "solid's volume";
+    if (!request_.max_excess) return;
+    if (!made_.surface.is_closed) {
+      throw Error(ErrorCode::InvalidArgument,
+                  "an open surface bounds no solid whose volume parts could exceed: close it, or "
+                  "leave the excess out");
+    }
+    log_.run(kStage, [&] {
+      volume_limit_.emplace(made_.surface, *request_.max_excess, log_.watch(kStage));
+    });
   }
 
   // Corners that are none of the input's points or of the leaves were rounded as they were stored.
@@ -471,6 +448,7 @@ class Decomposer {
   Decomposition made_;
   std::optional<Winding> winding_;                // of a closed surface, for the reach
   std::optional<ReachLimit> limit_, half_limit_;  // by the distance, and by half of it
+  std::optional<VolumeLimit> volume_limit_;
   std::optional<ExactConcavity> concavity_;
   std::vector<HulledCluster> clusters_;
 };

@@ -83,4 +83,21 @@ std::optional<Rational> exact_excess(const Surface& surface, const std::vector<C
   return measure_volumes(surface, parts, PartMeasures::All, true, within).excess_volume->exact;
 }
 
+VolumeLimit::VolumeLimit(const Surface& surface, Rational share, const Watch& watch)
+    : surface_(surface),
+      share_(std::move(share)),
+      solid_(solid_volume(surface, kMeasureBits, false, watch).bounds) {}
+
+DecompositionExcess VolumeLimit::operator()(const std::vector<ConvexPart>& parts,
+                                            const Watch& watch) const {
+  const Enclosure total = volume_of_parts(parts, false).bounds;
+  DecompositionExcess found{share_, total / solid_ - Enclosure(Integer(1), kMeasureBits), true};
+  if (found.share.high() <= share_) return found;
+  found.holds = found.share.low() <= share_ &&
+                *volume_of_parts(parts, true).exact <= (1 + share_) * exact_solid_.get([&] {
+                  return *solid_volume(surface_, kMeasureBits, true, watch).exact;
+                });
+  return found;
+}
+
 }  // namespace convexact

@@ -5,6 +5,7 @@
 
 #include "convexact/decompose.hpp"
 #include "solid/stage_log.hpp"
+#include "task/lazy.hpp"
 
 namespace convexact {
 
@@ -23,5 +24,24 @@ namespace convexact {
 [[nodiscard]] std::optional<Rational> exact_excess(const Surface& surface,
                                                    const std::vector<ConvexPart>& parts,
                                                    const StageWatch& watch);
+
+/// How much larger the volumes of parts together may be than that of a closed surface's solid.
+class VolumeLimit {
+ public:
+  /// Keeps a reference to the surface.
+  /// @param share  Of the solid's volume, >= 0.
+  VolumeLimit(const Surface& surface, Rational share, const Watch& watch);
+
+  /// The volume that the parts may have, or a little less.
+  Rational least() const { return solid_.low() * (1 + share_); }
+  /// Decided exactly; what overlaps counts twice.
+  DecompositionExcess operator()(const std::vector<ConvexPart>& parts, const Watch& watch) const;
+
+ private:
+  const Surface& surface_;
+  Rational share_;
+  Enclosure solid_;
+  Lazy<Rational> exact_solid_;
+};
 
 }  // namespace convexact

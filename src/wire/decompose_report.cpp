@@ -359,6 +359,11 @@ Json decomposition_json(const Decomposition& decomposition, const DecomposeReque
         {"largest", interval_json(enclosed_root_of(decomposition.squared_largest_cap))}};
   }
   if (decomposition.reach) json["reach"] = reach_json(*decomposition.reach, request);
+  if (const auto& excess = decomposition.excess) {
+    json["max_excess"] = {{"allowed", to_string(excess->most)},
+                          {"bounds", interval_json(excess->share)},
+                          {"holds", excess->holds}};
+  }
   if (decomposition.apart) json["disjoint"] = apart_json(*decomposition.apart);
   json["precision"] = name_in(kPrecisionNames, request.precision);
   json["verified"] = {{"triangles", decomposition.tested_triangles}, {"violations", 0}};

@@ -108,10 +108,12 @@ std::string length_text(const Rational& squared, const Decomposition& decomposit
 // How far the parts reach, as far as it was asked.
 std::string reach_lines(const Decomposition& decomposition, std::span<const std::string> names) {
   if (!decomposition.reach) {
-    return summary_line("reach",
-                        "not limited: --guard reach keeps every point of the parts within "
-                        "3% of the diameter of the " +
-                            std::string(decomposition.surface.is_closed ? "solid" : "surface"));
+    return summary_line(
+        "reach", decomposition.surface.is_closed
+                     ? "not limited: --method cut keeps every point of the parts within 3% of the "
+                       "diameter of the solid, and holds it; --guard reach only the former"
+                     : "not limited: --guard reach keeps every point of the parts within 3% of the "
+                       "diameter of the surface");
   }
   const DecompositionReach& reach = *decomposition.reach;
   const bool is_told = std::holds_alternative<Partition>(decomposition.origin);
@@ -154,6 +156,21 @@ std::string reach_lines(const Decomposition& decomposition, std::span<const std:
                         length_text(worst->reach.witness->squared, decomposition));
   }
   return summary_line("reach", text);
+}
+
+std::string excess_line(const Decomposition& decomposition) {
+  if (!decomposition.excess) return "";
+  const DecompositionExcess& excess = *decomposition.excess;
+  const Enclosure percent = excess.share * Enclosure(Integer(100), kMeasureBits);
+  const std::string allowed = percent_text(excess.most * 100);
+  return summary_line(
+      "excess",
+      excess.holds
+          ? fmt::format("the parts' volumes together exceed the solid's by no more than {} of it",
+                        allowed)
+          : fmt::format("not held: the parts' volumes together exceed the solid's by {}% of it, {} "
+                        "allowed; a smaller --distance has less",
+                        interval_text(percent), allowed));
 }
 
 // The guarantee of cut.
@@ -377,7 +394,7 @@ std::string summary(const Decomposition& decomposition, const DecomposeRequest& 
                                  " inside of other parts left out; --keep-inner keeps such parts");
   }
   text += hollow_line(decomposition) + reach_lines(decomposition, names) +
-          apart_line(decomposition) + way_out_notes(decomposition);
+          excess_line(decomposition) + apart_line(decomposition) + way_out_notes(decomposition);
   text += summary_line("input", surface_text(decomposition.surface));
   text += surface_notes(decomposition.surface);
   const auto* partition = std::get_if<Partition>(&decomposition.origin);

@@ -136,6 +136,13 @@ TEST_CASE("decompose cut: a number of parts, and parts that fit a program") {
     CHECK(part["facets"] <= 64);
   }
   CHECK(fits["reach"]["holds"] == true);
+  // Without the profile parts of this one have more than 500 corners.
+  const std::string spot = data("spot.obj"), small = scratch.file("small.obj");
+  const json less = program_json(
+      "decompose " + spot + " --profile physx-gpu --distance 10% -o " + small, "decompose");
+  CHECK(less["reach"]["holds"] == true);
+  CHECK(run_program("verify " + spot + " " + small + " --profile physx-gpu --distance 10%").exit ==
+        0);
   // The hull of a plus: a prism over an octagon. (A box keeps its corners: no face can go.)
   const std::string plus =
       scratch.write("plus.obj", cells_obj({{1, 0, 0}, {0, 1, 0}, {1, 1, 0}, {2, 1, 0}, {1, 2, 0}}));

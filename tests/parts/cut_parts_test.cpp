@@ -241,9 +241,79 @@ TEST_CASE("cut parts: an excess that is allowed is not exceeded" * sweep) {
     check_guarantee(mesh, made, request);
     CHECK(*made.measures->excess_volume->exact <=
           *request.max_excess * *made.measures->solid_volume->exact);
+    REQUIRE(made.excess);
+    CHECK(made.excess->holds);
+    CHECK(made.excess->share.high() <= *request.max_excess);
     CHECK(made.parts.size() > before);
     before = made.parts.size();
   }
+}
+
+TEST_CASE("cut parts: an excess that no way was found to keep is told") {
+  // Flat facets of convex parts cannot follow a round hole, nor one part a cell that is missing.
+  DecomposeRequest request = cutting();
+  request.max_excess = Rational(0);
+  const Decomposition round = cut_of(shipped("cases/tube"), request);
+  REQUIRE(round.excess);
+  CHECK(!round.excess->holds);
+  CHECK(round.excess->share.low() > 0);
+  CHECK(round.limit_holds);
+  const Mesh l = mesh_of_cells({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}});
+  request.max_parts = 1;
+  const Decomposition joined = cut_of(l, request);
+  CHECK(!joined.excess->holds);
+  CHECK(joined.excess->share.contains(Rational(1, 6)));  // half a cell of three
+}
+
+TEST_CASE("cut parts: an excess of exactly as much as allowed holds") {
+  const Mesh l = mesh_of_cells({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}});
+  DecomposeRequest request = cutting();
+  for (const char* most : {"0", "1/6"}) {
+    request.max_excess = parse_rational(most);
+    if (*request.max_excess > 0) request.distance = ConcavityLimit{Rational(1), false};
+    const Decomposition made = cut_of(l, request);
+    REQUIRE(made.excess);
+    CHECK(made.excess->holds);
+    CHECK(made.excess->share.contains(*request.max_excess));
+    CHECK(made.parts.size() == (*request.max_excess > 0 ? 1 : 2));
+  }
+}
+
+TEST_CASE("cut parts: finer triangles are the same solid") {
+  for (const std::set<Cell>& cells :
+       {std::set<Cell>{{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {0, 1, 0}, {2, 1, 0}},
+        {{1, 0, 0}, {0, 1, 0}, {1, 1, 0}, {2, 1, 0}, {1, 2, 0}}}) {
+    const Mesh mesh = mesh_of_cells(cells);
+    Mesh finer = mesh;
+    finer.polygons.clear();
+    const auto given = mesh.points.doubles();
+    std::vector<Point> points(given.begin(), given.end());
+    for (const auto& square : mesh.polygons) {  // points in the middles of edges are not shared
+      const auto middle = static_cast<std::uint32_t>(points.size());
+      Point sum = Point::Zero();
+      for (const std::uint32_t corner : square) sum += given[corner];
+      points.emplace_back(sum / 4);
+      for (std::size_t k = 0; k < 4; ++k) {
+        points.emplace_back((given[square[k]] + given[square[(k + 1) % 4]]) / 2);
+      }
+      for (std::uint32_t k = 0; k < 4; ++k) {
+        finer.polygons.push_back({square[k], middle + 1 + k, middle, middle + 1 + (k + 3) % 4});
+      }
+    }
+    finer.points = PointSet(points);
+    const Decomposition made = cut_of(finer, cutting());
+    check_guarantee(finer, made, cutting());
+    CHECK(made.parts.size() == cut_of(mesh, cutting()).parts.size());
+  }
+}
+
+TEST_CASE("cut parts: an open surface has no volume that an excess could be a share of") {
+  Mesh open = box_mesh({{0, 0, 0}, {1, 1, 1}});
+  open.polygons.pop_back();
+  DecomposeRequest request = cutting();
+  request.close = Close::Never;
+  request.max_excess = Rational(1, 10);
+  CHECK(error_of([&] { return decompose(open, request); }).code() == ErrorCode::InvalidArgument);
 }
 
 TEST_CASE("cut parts: disjoint parts, but for roundings" * sweep) {
