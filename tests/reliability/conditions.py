@@ -36,6 +36,7 @@ CLAIMS, REFUSALS, ANSWERS, SKIPS = 'claims', 'refusals', 'answers', 'skips'
 _CHECK = [('check', 'wrong_proof_test,metric_proof_test,same_points_test,stored_reach_test'), ('check_mutated', ''), ('check', '')]
 _DECOMPOSITION = [('check', 'wrong_decomposition_test,decomposition_proof_test'), ('check_mutated', ''), ('check', '')]
 _PARTITION = [('check', 'partition_proof_test'), ('check', '')]
+_REACH = [('check', 'wrong_reach_test,clear_proof_test,placed_test'), ('check', '')]
 _SIMPLIFY = [('simplify', 'step_verification_test,whole_dual_test'), ('simplify', '')]
 _LP = [('lp', 'certificates_test,chebyshev_center_test,feasibility_test'), ('lp', '')]
 FILES = {
@@ -45,6 +46,7 @@ FILES = {
     'src/check/decomposition.hpp': ((CLAIMS, REFUSALS, SKIPS), _DECOMPOSITION),
     'src/check/surface.hpp': ((CLAIMS, REFUSALS, SKIPS), _DECOMPOSITION),
     'src/check/partition.hpp': ((CLAIMS, REFUSALS), _PARTITION),
+    'src/check/reach.hpp': ((CLAIMS, REFUSALS, ANSWERS), _REACH),
     'src/fast/checks.cpp': ((CLAIMS, REFUSALS, ANSWERS), [('fast', 'step_check_test,check_surface_test'), ('fast', '')]),
     'src/simplify/step_verification.cpp': ((CLAIMS,), _SIMPLIFY),
     'src/simplify/plain_surface.cpp': ((REFUSALS,), _SIMPLIFY),
@@ -59,8 +61,10 @@ FILES = {
     'src/stored/stored_mesh.cpp': ((REFUSALS,), [('stored_mesh', ''), ('growth', '')]),
     'src/stored/containment.cpp': ((SKIPS, ANSWERS), [('containment', '')]),
 }
-# Functions whose answer `true` refuses, and expressions that are no conditions of a check.
-REFUSING = {'is_beyond', 'is_outside', 'is_in_cone'}
+# Functions whose answer `true` refuses (in another file the same name may let pass), and expressions that are no
+# conditions of a check.
+REFUSING = {('src/fast/checks.cpp', 'is_beyond'), ('src/stored/containment.cpp', 'is_outside'),
+            ('src/hull/check_hull.cpp', 'is_in_cone')}
 NO_CONDITIONS = {
     'src/check/convexact_check.cpp': ['edge.first == i || edge.second == i'],
     'src/fast/checks.cpp': ['std::pair(a.from, a.to) < std::pair(b.from, b.to)',
@@ -68,6 +72,7 @@ NO_CONDITIONS = {
     'src/simplify/step_verification.cpp': ['holds'],
     'src/hull/check_hull.cpp': ['a >= b'],
     'src/hull/check_flat.cpp': ['row[column] != 0'],
+    'src/check/reach.hpp': ['found == beyond_.end()'],
     'src/stored/containment.cpp': ['points_[a.index()][longest] < points_[b.index()][longest]'],
 }
 GUARD = '''#ifndef CONVEXACT_CONDITIONS
@@ -167,7 +172,7 @@ def conditions_of(name):
         # A text that is returned says, like `false`, that something does not hold.
         is_refused = re.match(r'return (?:false|_+|what\b.*|\{\});|throw\b|(?:stored::)?refuse\(', what) is not None
         if REFUSALS in kinds and (is_refused or re.match(r'return (?:true|proven\b.*|rounded);', what)):
-            is_refused = is_refused != (function_at(code, m.start()) in REFUSING)
+            is_refused = is_refused != ((name, function_at(code, m.start())) in REFUSING)
             found += conditions_in(code, m.end(), end, not is_refused)
         if SKIPS in kinds and what.startswith('continue;'):
             found += conditions_in(code, m.end(), end, True)
@@ -178,7 +183,7 @@ def conditions_of(name):
             is_claim = re.search(r'&&|\|\||[=!<>]=|^!|\s[<>]\s|^is_|^has_|\ball_of\(|\.(empty|equal|isZero|passes|surely_negative)\(', answer)
             if not is_claim or answer in ('true', 'false') or re.match(r'std::\w+<', answer):
                 continue
-            holds = function_at(code, m.start()) not in REFUSING
+            holds = (name, function_at(code, m.start())) not in REFUSING
             found += conditions_in(code, m.end(), end, holds)
     ignored = NO_CONDITIONS.get(name, [])
     return [c for c in sorted(set(found)) if text[c[0]:c[1]] not in ignored]
