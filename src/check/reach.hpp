@@ -174,27 +174,36 @@ class ReachProof {
     for (const Vector& x : part.corners) {
       require(Cube{x, 0}.touches(root), "a part reaches out of the root");
     }
-    for (std::size_t c = 0; c < cells_.size();) {
-      const Cell& cell = cells_[c];
-      if (cell.kind == Kind::Near || cell.kind == Kind::Inside || clear_.count({c, p}) == 1 ||
-          is_beyond(cell.cube, c, p)) {
-        c = cell.end;
-        continue;
-      }
-      require(cell.kind == Kind::Split, "a part may reach into an open cell");
-      ++c;
+    Ids planes(part.planes.size());
+    for (std::size_t k = 0; k < planes.size(); ++k) planes[k] = k;
+    check_cell(0, p, planes);
+  }
+
+  // `planes` are those of the part beyond which something of the cell may be.
+  void check_cell(std::size_t c, std::size_t p, const Ids& planes) const {
+    const Cell& cell = cells_[c];
+    if (cell.kind == Kind::Near || cell.kind == Kind::Inside || clear_.count({c, p}) == 1) return;
+    Ids left;
+    for (const std::size_t k : planes) {
+      const Row& plane = parts_[p].planes[k];
+      const Rational at = value(plane, cell.cube.center),
+                     width = cell.cube.width({plane[0], plane[1], plane[2]});
+      if (at > width) return;
+      if (at > -width) left.push_back(k);
+    }
+    if (is_beyond(c, p)) return;
+    require(cell.kind == Kind::Split, "a part may reach into an open cell");
+    for (std::size_t child = c + 1; child < cell.end; child = cells_[child].end) {
+      check_cell(child, p, left);
     }
   }
 
-  bool is_beyond(const Cube& cube, std::size_t c, std::size_t p) const {
-    for (const Row& plane : parts_[p].planes) {
-      if (value(plane, cube.center) > cube.width({plane[0], plane[1], plane[2]})) {
-        return true;
-      }
-    }
+  // Whether a direction that the proof gives separates the part from the cell.
+  bool is_beyond(std::size_t c, std::size_t p) const {
     const auto found = beyond_.find({c, p});
     if (found == beyond_.end()) return false;
     const Vector& n = found->second;
+    const Cube& cube = cells_[c].cube;
     const Rational least = dot(n, cube.center) - cube.width(n);
     const std::vector<Vector>& corners = parts_[p].corners;
     return std::all_of(corners.begin(), corners.end(),
