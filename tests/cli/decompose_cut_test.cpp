@@ -6,11 +6,13 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 #include <string>
+#include <vector>
 
 #include "cells.hpp"
 #include "json_schema.hpp"
 #include "process.hpp"
 #include "program_json.hpp"
+#include "sweep.hpp"
 
 using nlohmann::json;
 using support::bytes_of;
@@ -95,6 +97,30 @@ TEST_CASE("decompose cut: JSON, trace, picture, tree and proof of one run") {
   CHECK(bytes_of(proof).starts_with("convexact-proof 6 partition\n"));
   CHECK(bytes_of(scratch.file("u.html")).find("part 2") != std::string::npos);
   CHECK(run_program("verify " + input + " " + scratch.file("tree.json") + " --union").exit == 0);
+}
+
+// Smaller meshes have too few points for threads.
+TEST_CASE("decompose cut: any number of threads makes the same bytes" * sweep) {
+  const ScratchFolder scratch;
+  const std::string list = scratch.file("parts.json"), mesh = scratch.file("parts.obj"),
+                    trace = scratch.file("trace.json"), proof = scratch.file("parts.proof");
+  const auto made_by = [&](int jobs) {
+    json answer =
+        program_json("decompose " + support::data("spot.obj") +
+                         " --method cut --distance 10% --jobs " + std::to_string(jobs) + " -o " +
+                         mesh + " -o " + list + " --trace " + trace + " --proof " + proof,
+                     "decompose");
+    for (json& stage : answer["stages"]) stage.erase("seconds");
+    return std::vector{answer.dump(), bytes_of(mesh), bytes_of(list), bytes_of(trace),
+                       bytes_of(proof)};
+  };
+  const std::vector<std::string> alone = made_by(1);
+  for (const std::string& bytes : alone) CHECK(bytes.size() > 1000);
+  for (const int jobs : {2, 3, 8}) {
+    CAPTURE(jobs);
+    const bool is_same = made_by(jobs) == alone;  // a CHECK of megabytes would print them
+    CHECK(is_same);
+  }
 }
 
 TEST_CASE("decompose cut: disjoint parts") {

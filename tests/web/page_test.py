@@ -25,11 +25,11 @@ CUBE = "".join(f"v {k & 1} {k >> 1 & 1} {k >> 2}\n" for k in range(8)) + (
     "f 1 3 4 2\nf 5 6 8 7\nf 1 2 6 5\nf 3 7 8 4\nf 1 5 7 3\nf 2 4 8 6\n")
 FIRST = 'document.getElementById("first").textContent'
 POLICY = 'document.querySelector("meta[http-equiv]").content'
-# Drops files with such names and texts on the page.
-DROP = """(files => {
+# Drops files with such names and texts on the page, or on an element of it.
+DROP = """((files, target = document.body) => {
   const data = new DataTransfer();
   for (const [name, text] of files) data.items.add(new File([text], name));
-  document.body.dispatchEvent(new DragEvent("drop", {dataTransfer: data, bubbles: true, cancelable: true}));
+  target.dispatchEvent(new DragEvent("drop", {dataTransfer: data, bubbles: true, cancelable: true}));
 })"""
 
 
@@ -50,20 +50,34 @@ def drop(page, *files):
     page.evaluate(f"{DROP}({json.dumps(files)})")
 
 
-def press(page, key, code, text=""):
-    page.call("Input.dispatchKeyEvent", type="keyDown", key=key, code=key, windowsVirtualKeyCode=code, text=text)
-    page.call("Input.dispatchKeyEvent", type="keyUp", key=key, code=key, windowsVirtualKeyCode=code)
+def press(page, key, code, text="", shift=False):
+    pressed = {"key": key, "code": key, "windowsVirtualKeyCode": code, "modifiers": 8 if shift else 0}
+    page.call("Input.dispatchKeyEvent", type="keyDown", text=text, **pressed)
+    page.call("Input.dispatchKeyEvent", type="keyUp", **pressed)
+
+
+def tab_to(page, condition, back=False):
+    """Tabs to the element e that meets a condition."""
+    for _ in range(30):
+        press(page, "Tab", 9, shift=back)
+        if page.evaluate(f"(e => {condition})(document.activeElement)"):
+            return
+    raise AssertionError(f"no element in reach of the key Tab: {condition}")
 
 
 def rows(page):
     return dict(page.evaluate('[...document.querySelectorAll("#numbers tr")].map(r => [...r.cells].map(c => c.textContent))'))
 
 
+# `done` gets the next file that the page saves.
+CATCH = """const make = URL.createObjectURL;
+  URL.createObjectURL = blob => { blob.text().then(done); URL.createObjectURL = make; return "#"; };"""
+
+
 def saved(page, name):
     """The file of a button under Save, as it would be downloaded."""
     return page.evaluate(f"""new Promise(done => {{
-      const make = URL.createObjectURL;
-      URL.createObjectURL = blob => {{ blob.text().then(done); URL.createObjectURL = make; return "#"; }};
+      {CATCH}
       [...document.querySelectorAll("#downloads button")].find(b => b.textContent === {json.dumps(name)}).click();
     }})""")
 
@@ -222,23 +236,42 @@ def check_cancel(page):
 
 
 def check_large(page):
-    """100 MB of text that is a file of nothing, and of a cloud: words, or an answer; the page goes on."""
-    page.evaluate("""(() => {
-      const line = "0.1234567890 0.2345678901 0.3456789012\\n";
-      (%s)([["large.obj", "x".repeat(100e6)], ["any.xyz", "0 0 0"]]);
-    })()""" % DROP)
+    """100 MB of text that is a file of nothing: words. 20 MB of points in a cube and its corners: its hull, or words. The page
+    goes on after both."""
+    page.evaluate("""(%s)([["large.obj", "x".repeat(100e6)]], document.getElementById("shape"))""" % DROP)
     wait_for_sentence(page, "large.obj", 120)
+    page.evaluate("""(() => {
+      let at = 1;
+      const random = () => ((at = at * 48271 %% 2147483647) / 2147483647).toFixed(9), lines = [];
+      for (let k = 0; k < 8; ++k) lines.push(`${k & 1} ${k >> 1 & 1} ${k >> 2}\\n`);
+      while (lines.length < 10000) lines.push(`${random()} ${random()} ${random()}\\n`);
+      const text = lines.join("");
+      (%s)([["cloud.xyz", text.repeat(Math.ceil(20e6 / text.length))]], document.getElementById("shape"));
+    })()""" % DROP)
+    sentence = wait_for_sentence(page, "(cloud.xyz|out of memory)", 180)
+    is_refused = page.evaluate('document.getElementById("first").className') == "bad"
+    assert is_refused or sentence == "cloud.xyz: a hull of 6 facets and 8 vertices", sentence
+    page.evaluate('document.querySelector("[data-example=ball]").click()')
+    wait_for_sentence(page, "^ball: a hull")
 
 
 def check_keys():
+    """By keys alone: an example, the slider, a file to save, and back to a verdict."""
     page = chromium.Page(PAGE.as_uri())
-    # From the beginning of the page to the first example, by tabs alone; then Enter.
-    for _ in range(10):
-        press(page, "Tab", 9)
-        if page.evaluate("document.activeElement.dataset.example") == "ball":
-            break
+    tab_to(page, 'e.dataset.example === "ball"')
     press(page, "Enter", 13, "\r")
     wait_for_sentence(page, "^ball: a hull")
+    tab_to(page, 'e.id === "faces"')
+    press(page, "ArrowLeft", 37)
+    wait_for_sentence(page, "^17 halfspaces hold every point")
+    tab_to(page, 'e.textContent === "ball-17.json"')
+    page.evaluate("{ let done = text => { globalThis.caught = text; }; %s }" % CATCH)
+    press(page, "Enter", 13, "\r")
+    wait_for(page, '"caught" in globalThis')
+    assert len(json.loads(page.evaluate("caught"))["halfspaces"]) == 17
+    tab_to(page, 'e.dataset.example === "wrong"', back=True)
+    press(page, "Enter", 13, "\r")
+    wait_for_sentence(page, "^a hull that misses a point is not the hull of ball")
     assert page.complaints == [], page.complaints
     page.close()
 
@@ -307,7 +340,7 @@ def main():
     check_phone(screenshots)
     check_no_connection(page)
     check_package()
-    print("the page: hull, verdict, enclosure, parts, GLB, lessons and their links, faults, cancel, a file of 100 MB, keys, a phone; no connection; the package")
+    print("the page: hull, verdict, enclosure, parts, GLB, lessons and their links, faults, cancel, files of 100 and 20 MB, keys, a phone; no connection; the package")
     return 0
 
 

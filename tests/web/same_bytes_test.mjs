@@ -37,6 +37,10 @@ ask("simplify", {points: shape("spot.obj").points, faces: 18, engine: "float"});
 ask("simplify", {points: shape("spot.obj").points, faces: 18, search: "local", moves: 20});
 ask("decompose", {...spot, notes: undefined, distance: "3%", tree: true});
 ask("decompose", {...spot, notes: undefined, distance: "10%", jobs: 4});
+// Distances that only volumes or clear cells decide, and faces of rounded corners.
+for (const [name, ...distances] of [["bin", 0, "0.3%"], ["house", 0, "0.3%"], ["tube", "3%"]]) {
+  for (const distance of distances) ask("decompose", {...shape(`cases/${name}.obj`), notes: undefined, method: "cut", distance, tree: true});
+}
 ask("decompose", {...shape("teapot.obj"), notes: undefined, method: "hacd", max_parts: 20});
 ask("decompose", {...shape("teapot.obj"), notes: undefined, method: "acd", picture: true, name: "a teapot"});
 
