@@ -94,6 +94,31 @@ TEST_CASE("is-hull: what is no bounded solid is not the hull, at any tolerance")
         Status::Violated);
 }
 
+TEST_CASE("is-hull: corners of halfspaces that are beyond the largest double") {
+  // x, y, z >= -1 and x / 2^1030 + y + z <= 3: a corner where x is 5 2^1030.
+  const Integer power = Integer(1) << 1030;
+  const std::string p = to_string(power), three = to_string(Integer(-3 * power));
+  const Candidate candidate = read_candidate_bytes(
+      R"({"halfspaces": [["-1","0","0","-1"],["0","-1","0","-1"],["0","0","-1","-1"],["1",")" + p +
+          "\",\"" + p + "\",\"" + three + "\"]]}",
+      "c.json");
+  const Verdict verdict = judged(candidate);
+  CHECK(verdict[ContainsInput].status == Status::Holds);
+  const Rational far = 5 * Rational(power);
+  const auto check = [&](const Claim& claim) {
+    CHECK(claim.status == Status::Violated);
+    CHECK(claim.witness.point.value() == RationalPoint(far, -1, -1));
+    CHECK(claim.witness.nearest.value() == RationalPoint(1, -1, -1));
+    CHECK(claim.witness.squared_distance == Rational((far - 1) * (far - 1)));
+  };
+  check(verdict[IsHull]);
+  VerifyRequest inner;
+  inner.asks = Asks::Inner;
+  const Verdict inside = std::get<Verdict>(verify(PointSet(box(1)), candidate, inner));
+  check(inside[InsideInput]);
+  CHECK((*inside[InsideInput].witness.plane)(RationalPoint(1, 0, 0)) == 0);
+}
+
 TEST_CASE("asks: a claim of another question, and a simplification to no number, are refused") {
   const auto code_of = [](const VerifyRequest& request) {
     return error_of([&] {

@@ -5,11 +5,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "convexact/error.hpp"
 #include "convexact/geometry.hpp"
 #include "convexact/number.hpp"
 #include "convexact/stored.hpp"
+#include "number/arithmetic.hpp"
 #include "number/text.hpp"
 #include "oracle/solid/excess.hpp"
 #include "oracle/solid/judge.hpp"
@@ -183,24 +185,66 @@ void judge_outside(const std::vector<PointId>& outside, Trial& trial) {
       std::move(worst.witness));
 }
 
-// The vertices of a candidate that lie outside of the input's hull.
+// The vertices of a candidate. Where halfspaces meet may be beyond the largest double: then these
+// points are the vertices over 2^shift.
+struct CandidateVertices {
+  explicit CandidateVertices(const PointSet& given) : points(given) {}
+  explicit CandidateVertices(std::vector<RationalPoint> exact) {
+    Rational largest = 0;
+    for (const RationalPoint& v : exact) largest = std::max(largest, v.cwiseAbs().maxCoeff());
+    while (!std::isfinite(to_double(divided(largest), Rounding::Up))) ++shift;
+    if (shift > 0) {
+      for (RationalPoint& v : exact) v = v.unaryExpr([&](const Rational& x) { return divided(x); });
+    }
+    points = PointSet(std::move(exact));
+  }
+
+  Rational divided(const Rational& x) const { return scale_by_power_of_two(x, -shift); }
+  // The solid over the same power.
+  Polytope divided(Polytope solid) const {
+    for (RationalPoint& v : solid.vertices) {
+      v = v.unaryExpr([&](const Rational& x) { return divided(x); });
+    }
+    for (Halfspace& plane : solid.planes) {
+      plane = Halfspace(plane.normal().cast<Rational>(), divided(Rational(plane.offset())));
+    }
+    return solid;
+  }
+  RationalPoint operator[](PointId id) const {
+    return points[id].unaryExpr([&](const Rational& x) { return scale_by_power_of_two(x, shift); });
+  }
+
+  PointSet points;
+  int shift = 0;
+};
+
+// Those that lie outside of the input's hull.
 struct VerticesOutside {
   std::size_t count = 0;
   std::optional<Farthest> worst;
+  std::size_t plane = 0;  // of the hull: that the worst one is farthest beyond
 };
 
-VerticesOutside vertices_outside(const PointSet& vertices, const Trial& trial) {
-  const Polytope& hull = trial.input.hull;
-  const std::vector<PointId> outside =
-      trial.log.run("inside", [&] { return find_outside(hull.planes, vertices, trial.stop()); });
+VerticesOutside vertices_outside(const CandidateVertices& vertices, const Trial& trial) {
+  std::optional<Polytope> divided;
+  if (vertices.shift > 0) divided = vertices.divided(trial.input.hull);
+  const Polytope& hull = divided ? *divided : trial.input.hull;
+  const std::vector<PointId> outside = trial.log.run(
+      "inside", [&] { return find_outside(hull.planes, vertices.points, trial.stop()); });
   if (outside.empty()) return {};
-  std::optional<Farthest> farthest = trial.log.run(
-      "distance", [&] { return find_farthest(hull, vertices, outside, trial.stop()); });
-  if (!farthest) throw Error(ErrorCode::Internal, "vertices are outside, but none is far");
-  return {outside.size(), std::move(farthest)};
+  std::optional<Farthest> worst = trial.log.run(
+      "distance", [&] { return find_farthest(hull, vertices.points, outside, trial.stop()); });
+  if (!worst) throw Error(ErrorCode::Internal, "vertices are outside, but none is far");
+  const auto excess =
+      find_excess(hull.planes, subset(vertices.points, std::span(&worst->point, 1)));
+  if (!excess) throw Error(ErrorCode::Internal, "a vertex is outside, but beyond no plane");
+  worst->nearest = worst->nearest.unaryExpr(
+      [&](const Rational& x) { return scale_by_power_of_two(x, vertices.shift); });
+  worst->squared_distance = scale_by_power_of_two(worst->squared_distance, 2 * vertices.shift);
+  return {outside.size(), std::move(worst), excess->plane};
 }
 
-Witness witness_of(const Farthest& vertex, const PointSet& vertices, const Trial& trial) {
+Witness witness_of(const Farthest& vertex, const CandidateVertices& vertices, const Trial& trial) {
   Witness witness;
   if (trial.mesh() != nullptr) witness.vertices = {vertex.point.index()};
   witness.point = vertices[vertex.point];
@@ -216,15 +260,15 @@ const char* reason_of_no_solid(Trial& trial) {
 }
 
 // The points whose hull the candidate is; none, with the claim decided, if it has no such points.
-std::optional<PointSet> vertices_of_candidate(Trial& trial) {
+std::optional<CandidateVertices> vertices_of_candidate(Trial& trial) {
   if (trial.set.is_empty) {
     trial.not_applicable(InsideInput, "the candidate is empty");
     return {};
   }
-  if (const Mesh* mesh = trial.mesh()) return mesh->points;
-  if (trial.set.polytope) return PointSet(trial.set.polytope->vertices);
+  if (const Mesh* mesh = trial.mesh()) return CandidateVertices(mesh->points);
+  if (trial.set.polytope) return CandidateVertices(trial.set.polytope->vertices);
   const std::optional<NotSolid> reason = find_vertices(trial);
-  if (!reason) return PointSet(trial.set.polytope->vertices);
+  if (!reason) return CandidateVertices(trial.set.polytope->vertices);
   if (const auto* ray = std::get_if<RecessionRay>(&*reason)) {
     Witness witness;
     witness.direction = ray->direction;
@@ -262,25 +306,22 @@ void judge_containment(Trial& trial) {
 // The hull of points lies in a convex set iff the points do.
 void judge_inside_input(Trial& trial) {
   if (!trial.asks(InsideInput)) return;
-  const std::optional<PointSet> vertices = vertices_of_candidate(trial);
+  const std::optional<CandidateVertices> vertices = vertices_of_candidate(trial);
   if (!vertices) return;
-  const Polytope& hull = trial.input.hull;
-  const std::string tested = counted(vertices->size(), "vertex", "vertices") + " tested";
+  const std::string tested = counted(vertices->points.size(), "vertex", "vertices") + " tested";
   const VerticesOutside outside = vertices_outside(*vertices, trial);
   if (!outside.worst) {
     return trial.holds(InsideInput, tested + ", none outside of the input's hull");
   }
   const PointId worst = outside.worst->point;
-  const auto excess = find_excess(hull.planes, subset(*vertices, std::span(&worst, 1)));
-  if (!excess) throw Error(ErrorCode::Internal, "a vertex is outside, but beyond no plane");
   Witness witness = witness_of(*outside.worst, *vertices, trial);
-  witness.plane = hull.planes[excess->plane];
+  witness.plane = trial.input.hull.planes[outside.plane];
   trial.violated_by(
       outside.worst->squared_distance, InsideInput,
       fmt::format("{} outside of the input's hull, of {}; vertex {} is worst, {} from it, beyond "
                   "facet {}",
                   counted(outside.count, "vertex", "vertices"), tested, worst.index(),
-                  trial.distance_text(outside.worst->squared_distance), excess->plane),
+                  trial.distance_text(outside.worst->squared_distance), outside.plane),
       std::move(witness));
 }
 
@@ -294,8 +335,9 @@ void judge_is_hull(Trial& trial) {
   }
   const Polytope& solid = *trial.set.polytope;
   // As stored if they can be: doubles are tested faster.
-  const PointSet vertices = trial.set.hull ? subset(trial.mesh()->points, trial.set.hull->vertices)
-                                           : PointSet(solid.vertices);
+  const CandidateVertices vertices =
+      trial.set.hull ? CandidateVertices(subset(trial.mesh()->points, trial.set.hull->vertices))
+                     : CandidateVertices(solid.vertices);
   const VerticesOutside beyond = vertices_outside(vertices, trial);
   if (!trial.set.missed) {
     trial.set.missed = trial.log.run("input outside", [&] {
@@ -311,7 +353,7 @@ void judge_is_hull(Trial& trial) {
     return trial.holds(IsHull,
                        fmt::format("it is the hull: {} and {} tested, none outside of the other",
                                    counted(trial.input.points.size(), "point", "points"),
-                                   counted(vertices.size(), "vertex", "vertices")));
+                                   counted(vertices.points.size(), "vertex", "vertices")));
   }
   const bool is_too_large = beyond.worst && (!worst_missed || beyond.worst->squared_distance >=
                                                                   worst_missed->squared_distance);
