@@ -245,7 +245,7 @@ struct Outside {
   std::size_t unused = 0;  ///< How many of those outside no face of the input uses.
   /// (squared distance of the worst one to the candidate) / (squared diameter); nothing if the
   /// candidate is no bounded solid.
-  std::optional<Rational> relative_squared_distance;
+  std::optional<Rational> relative_squared_distance = {};
 };
 
 /// The counts of a candidate.

@@ -151,8 +151,9 @@ class PartCutter {
     const std::vector<ConvexPart> stored = store_parts(parts, squared_diameter_, request_, log_);
     std::vector<BoundingBox> boxes;
     for (const ConvexPart& part : stored) boxes.push_back(part.box);
-    if (volume_limit_ != nullptr && !(*volume_limit_)(stored, log_.watch(kMerge)).holds)
-      return false;
+    const bool is_small =
+        volume_limit_ == nullptr || volume_limit_->excess_of(stored, log_.watch(kMerge)).holds;
+    if (!is_small) return false;
     ReachLimit limit(surface_, winding_, squared_, boxes);
     return std::all_of(stored.begin(), stored.end(), [&](const ConvexPart& part) {
       return limit.allows(part, log_.watch(kMerge));

@@ -88,8 +88,8 @@ VolumeLimit::VolumeLimit(const Surface& surface, Rational share, const Watch& wa
       share_(std::move(share)),
       solid_(solid_volume(surface, kMeasureBits, false, watch).bounds) {}
 
-DecompositionExcess VolumeLimit::operator()(const std::vector<ConvexPart>& parts,
-                                            const Watch& watch) const {
+DecompositionExcess VolumeLimit::excess_of(const std::vector<ConvexPart>& parts,
+                                           const Watch& watch) const {
   const Enclosure total = volume_of_parts(parts, false).bounds;
   DecompositionExcess found{share_, total / solid_ - Enclosure(Integer(1), kMeasureBits), true};
   if (found.share.high() <= share_) return found;

@@ -35,7 +35,7 @@ class VolumeLimit {
   /// The volume that the parts may have, or a little less.
   Rational least() const { return solid_.low() * (1 + share_); }
   /// Decided exactly; what overlaps counts twice.
-  DecompositionExcess operator()(const std::vector<ConvexPart>& parts, const Watch& watch) const;
+  DecompositionExcess excess_of(const std::vector<ConvexPart>& parts, const Watch& watch) const;
 
  private:
   const Surface& surface_;
