@@ -28,6 +28,10 @@ int rounds_of(CutEffort effort) {
   return effort == CutEffort::Low ? 1 : effort == CutEffort::Normal ? 3 : 12;
 }
 
+std::size_t exchanges_of(CutEffort effort) {
+  return effort == CutEffort::Low ? 0 : effort == CutEffort::Normal ? 4 : 16;
+}
+
 class PartCutter {
  public:
   PartCutter(const Surface& surface, const Winding* winding, const Rational& squared_distance,
@@ -116,6 +120,7 @@ class PartCutter {
     }
     ReachMergeOptions options{.rounds = rounds_of(request_.effort),
                               .seed = request_.seed,
+                              .exchanges = exchanges_of(request_.effort),
                               .keeps_apart = request_.disjoint};
     if (request_.max_parts) options.most_parts = *request_.max_parts;
     if (volume_limit_ != nullptr) {

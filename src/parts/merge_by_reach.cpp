@@ -82,6 +82,17 @@ class JoinedHulls {
     return add(std::move(both), points);
   }
 
+  Joined& of(PieceSet pieces) {
+    const auto known = hulls_.find(pieces);
+    if (known != hulls_.end()) return *known->second;
+    std::vector<Point> points;
+    for (const std::uint32_t k : pieces) {
+      const std::vector<Point>& own = piece(k).vertices;
+      points.insert(points.end(), own.begin(), own.end());
+    }
+    return add(std::move(pieces), points);
+  }
+
   // What holds pieces that were refused is refused.
   bool allows(Joined& joined) {
     if (joined.is_allowed) return *joined.is_allowed;
@@ -137,6 +148,7 @@ class ReachMerger {
   // With other preferences for each random number; none: as they are.
   void run(Random* random) {
     random_ = random;
+    tries_ = options_.exchanges * parts_.size();
     merge();
     while (options_.eliminate && eliminate_one()) {
     }
@@ -237,33 +249,64 @@ class ReachMerger {
   }
 
   bool give_up(std::size_t gone) {
-    std::vector<Joined*> others = parts_;
-    others.erase(others.begin() + static_cast<long>(gone));
-    double volume = volume_ - parts_[gone]->volume;
+    Arrangement others{parts_, volume_ - parts_[gone]->volume};
+    others.parts.erase(others.parts.begin() + static_cast<long>(gone));
     for (const std::uint32_t piece : parts_[gone]->pieces) {
-      std::vector<std::tuple<double, std::size_t>> order;
-      for (std::size_t k = 0; k < others.size(); ++k) {
-        if (!are_near(*others[k], hulls_.piece(piece))) continue;
-        const Joined& both = hulls_.join(*others[k], hulls_.piece(piece));
-        order.emplace_back(both.volume - others[k]->volume, k);
-      }
-      std::sort(order.begin(), order.end());
-      const auto place = std::find_if(order.begin(), order.end(), [&](const auto& entry) {
-        const auto& [added, k] = entry;
-        if (volume + added > options_.most_volume) return false;
-        Joined& both = hulls_.join(*others[k], hulls_.piece(piece));
-        return hulls_.allows(both) && std::all_of(others.begin(), others.end(), [&](Joined* other) {
-                 return other == others[std::get<1>(entry)] || hulls_.allows(both, *other);
-               });
-      });
-      if (place == order.end()) return false;
-      const auto& [added, k] = *place;
-      others[k] = &hulls_.join(*others[k], hulls_.piece(piece));
-      volume += added;
+      std::vector<bool> entered(others.parts.size());
+      if (!place(piece, others, entered)) return false;
     }
-    parts_ = std::move(others);
-    volume_ = volume;
+    parts_ = std::move(others.parts);
+    volume_ = others.volume;
     return true;
+  }
+
+  struct Arrangement {
+    std::vector<Joined*> parts;
+    double volume;
+  };
+
+  bool replace(std::size_t k, Joined& by, Arrangement& in) {
+    const double volume = in.volume + by.volume - in.parts[k]->volume;
+    if (volume > options_.most_volume || !hulls_.allows(by)) return false;
+    for (std::size_t other = 0; other < in.parts.size(); ++other) {
+      if (other != k && !hulls_.allows(by, *in.parts[other])) return false;
+    }
+    in.parts[k] = &by;
+    in.volume = volume;
+    return true;
+  }
+
+  // Takes a piece into the part that grows least, or else into one that gives away another piece,
+  // which finds a place likewise: as a matching grows by an augmenting path. Each part is entered
+  // once.
+  bool place(std::uint32_t piece, Arrangement& in, std::vector<bool>& entered) {
+    std::vector<std::pair<double, std::size_t>> order;
+    for (std::size_t k = 0; k < in.parts.size(); ++k) {
+      if (!are_near(*in.parts[k], hulls_.piece(piece))) continue;
+      const Joined& both = hulls_.join(*in.parts[k], hulls_.piece(piece));
+      order.emplace_back(both.volume - in.parts[k]->volume, k);
+    }
+    std::sort(order.begin(), order.end());
+    for (const auto& [added, k] : order) {
+      if (replace(k, hulls_.join(*in.parts[k], hulls_.piece(piece)), in)) return true;
+    }
+    for (const auto& [added, k] : order) {
+      if (entered[k]) continue;
+      entered[k] = true;
+      const PieceSet own = in.parts[k]->pieces;
+      for (const std::uint32_t away : own) {
+        if (tries_ == 0) return false;
+        --tries_;
+        PieceSet others = own;
+        std::erase(others, away);
+        Arrangement next = in;
+        if (!replace(k, hulls_.of(united(others, {piece})), next)) continue;
+        if (!place(away, next, entered)) continue;
+        in = std::move(next);
+        return true;
+      }
+    }
+    return false;
   }
 
   JoinedHulls& hulls_;
@@ -271,6 +314,7 @@ class ReachMerger {
   const ReachMergeOptions& options_;
   std::vector<Joined*> parts_;
   double volume_ = 0;
+  std::size_t tries_ = 0;  // exchanges that are left
   Random* random_ = nullptr;
 };
 
