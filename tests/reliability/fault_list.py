@@ -325,7 +325,9 @@ FAULTS = [
     (SKIP, 'check/check_part', 'require(Cube{x, 0}.touches(root), "a part reaches out of the root");', '', 'check'),
     (SKIP, 'check/check_cell', 'require(cell.kind == Kind::Split, "a part may reach into an open cell");', '', 'check'),
     (SKIP, 'parts/allows', 'joined.is_allowed = !is_hopeless && limit_.allows_near(joined.vertices, watch_);', 'joined.is_allowed = true;', 'decompose_scene'),
-    (STALE, 'parts/give_up', '    parts_ = std::move(others);\n', '    parts_.erase(parts_.begin() + static_cast<long>(gone));\n', 'decompose_scene'),
+    (STALE, 'parts/give_up', '    parts_ = std::move(others.parts);\n', '    parts_.erase(parts_.begin() + static_cast<long>(gone));\n', 'decompose_scene'),
+    (SKIP, 'parts/replace', 'if (volume > options_.most_volume || !hulls_.allows(by)) return false;', '', 'decompose_scene'),
+    (STALE, 'parts/place', 'in = std::move(next);', '', 'decompose_scene'),
     (STALE, 'parts/join_parts', 'for (InnerCluster& inner : made_.inner) inner.part = place[inner.part];', '', 'decompose_scene'),
     # Cuts.
     (SIGN, 'cut/side', 'if (value > kCutError) return Sign::Positive;', 'if (value > -kCutError) return Sign::Positive;', 'cut'),
