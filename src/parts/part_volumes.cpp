@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "convexact/error.hpp"
 #include "convexact/measure.hpp"
 #include "number/precision.hpp"
 
@@ -86,7 +87,19 @@ std::optional<Rational> exact_excess(const Surface& surface, const std::vector<C
 VolumeLimit::VolumeLimit(const Surface& surface, Rational share, const Watch& watch)
     : surface_(surface),
       share_(std::move(share)),
-      solid_(solid_volume(surface, kMeasureBits, false, watch).bounds) {}
+      solid_(solid_volume(surface, kMeasureBits, false, watch).bounds) {
+  if (solid_.low() > 0) return;
+  const Rational& exact = exact_solid(watch);
+  if (exact == 0) {
+    throw Error(ErrorCode::InvalidArgument,
+                "the surface encloses no volume that an excess could be a share of");
+  }
+  solid_ = Enclosure(exact, kMeasureBits);
+}
+
+const Rational& VolumeLimit::exact_solid(const Watch& watch) const {
+  return exact_solid_.get([&] { return *solid_volume(surface_, kMeasureBits, true, watch).exact; });
+}
 
 DecompositionExcess VolumeLimit::excess_of(const std::vector<ConvexPart>& parts,
                                            const Watch& watch) const {
@@ -94,9 +107,7 @@ DecompositionExcess VolumeLimit::excess_of(const std::vector<ConvexPart>& parts,
   DecompositionExcess found{share_, total / solid_ - Enclosure(Integer(1), kMeasureBits), true};
   if (found.share.high() <= share_) return found;
   found.holds = found.share.low() <= share_ &&
-                *volume_of_parts(parts, true).exact <= (1 + share_) * exact_solid_.get([&] {
-                  return *solid_volume(surface_, kMeasureBits, true, watch).exact;
-                });
+                *volume_of_parts(parts, true).exact <= (1 + share_) * exact_solid(watch);
   return found;
 }
 

@@ -30,6 +30,7 @@ class VolumeLimit {
  public:
   /// Keeps a reference to the surface.
   /// @param share  Of the solid's volume, >= 0.
+  /// @throws Error InvalidArgument if the solid has no volume; Stopped.
   VolumeLimit(const Surface& surface, Rational share, const Watch& watch);
 
   /// The volume that the parts may have, or a little less.
@@ -38,6 +39,8 @@ class VolumeLimit {
   DecompositionExcess excess_of(const std::vector<ConvexPart>& parts, const Watch& watch) const;
 
  private:
+  const Rational& exact_solid(const Watch& watch) const;
+
   const Surface& surface_;
   Rational share_;
   Enclosure solid_;

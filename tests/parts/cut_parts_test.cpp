@@ -326,6 +326,12 @@ TEST_CASE("cut parts: an open surface has no volume that an excess could be a sh
   request.close = Close::Never;
   request.max_excess = Rational(1, 10);
   CHECK(error_of([&] { return decompose(open, request); }).code() == ErrorCode::InvalidArgument);
+  for (std::size_t k = open.polygons.size(); k-- > 0;) {  // each face from both sides
+    auto turned = open.polygons[k];
+    std::reverse(turned.begin(), turned.end());
+    open.polygons.push_back(std::move(turned));
+  }
+  CHECK(error_of([&] { return decompose(open, request); }).code() == ErrorCode::InvalidArgument);
 }
 
 TEST_CASE("cut parts: disjoint parts, but for roundings" * sweep) {
