@@ -80,7 +80,8 @@ struct DecomposeRequest {
   CutEffort effort = CutEffort::Normal;  ///< Of Cut.
   /// Of Cut, for a closed surface: how much larger the parts' volumes together may be than the
   /// solid's, as a share of it; >= 0. The excess, and what parts overlap, are within it, unless
-  /// DecompositionExcess says that no way was found to keep them so.
+  /// DecompositionExcess says that it is not held: by `max_parts`, by loose points, or because no
+  /// attempt, with a quarter of the distance at last, was within it.
   std::optional<Rational> max_excess = {};
   /// Of Cut: parts have no common interior, but for what rounding moves their corners, and what
   /// `faces`, `max_parts`, thickening and loose points make of them: DecompositionApart tells.
@@ -254,10 +255,10 @@ using DecomposeOutcome = std::variant<Decomposition, NotSolid>;
 /// Decomposes a mesh and proves on the stored numbers that every triangle lies in its owner.
 /// @return NotSolid if all points of faces lie in one plane, unless `flat` is Thicken or Keep.
 /// @throws Error NoInterior if the mesh has no face; InvalidArgument for points that no face uses
-/// if
-///               these are refused, for what cluster(), split() and simplify() refuse, for an
-///               option of the other method, and for budgets that cannot hold; Unrepresentable if
-///               the format cannot hold a part; Stopped; Internal if a proof fails.
+///               if these are refused, for what cluster(), split() and simplify() refuse, for an
+///               option of the other method, for a `max_excess` without a solid, and for budgets
+///               that cannot hold; Unrepresentable if the format cannot hold a part; Stopped;
+///               Internal if a proof fails.
 [[nodiscard]] DecomposeOutcome decompose(const Mesh& mesh, const DecomposeRequest& request = {});
 
 // ---- Convex parts as files give them, alone or under a tree of hulls.

@@ -49,16 +49,21 @@ class PartCutter {
     const std::vector<Rational> finer =
         squared_ > 0 ? finenesses(request_.effort) : std::vector<Rational>{2};
     const std::vector<Rational> coarser = shares();
-    std::optional<CutParts> best;
+    std::optional<CutParts> kept;
+    Rational least_share;
     for (const Rational& share : coarser) {
+      std::optional<CutParts> best;
       for (const Rational& fineness : finer) {
         CutParts made = cut_and_merge(Rational(share * share * squared_), fineness);
         if (!best || made.parts.size() < best->parts.size()) best = std::move(made);
       }
-      if (fits(*best)) break;
-      if (share != coarser.back()) best.reset();
+      const auto [is_held, volume_share] = fit(*best);
+      if (is_held) return std::move(*best);
+      if (kept && volume_limit_ != nullptr && volume_share >= least_share) continue;
+      kept = std::move(best);
+      least_share = volume_share;
     }
-    return std::move(*best);
+    return std::move(*kept);
   }
 
  private:
@@ -149,20 +154,24 @@ class PartCutter {
   }
 
   // Whether the parts are still within the distance when they are stored as the request wants them,
-  // and their volume within what is allowed.
-  bool fits(const CutParts& made) {
-    if (!is_limited()) return true;
+  // and their volume within what is allowed; and what share of the solid's it exceeds that by.
+  std::pair<bool, Rational> fit(const CutParts& made) {
+    if (!is_limited()) return {true, 0};
     std::vector<Part> parts = made.parts;
     const std::vector<ConvexPart> stored = store_parts(parts, squared_diameter_, request_, log_);
     std::vector<BoundingBox> boxes;
     for (const ConvexPart& part : stored) boxes.push_back(part.box);
-    const bool is_small =
-        volume_limit_ == nullptr || volume_limit_->excess_of(stored, log_.watch(kMerge)).holds;
-    if (!is_small) return false;
+    Rational volume_share = 0;
+    if (volume_limit_ != nullptr) {
+      const DecompositionExcess excess = volume_limit_->excess_of(stored, log_.watch(kMerge));
+      volume_share = excess.share.high();
+      if (!excess.holds) return {false, volume_share};
+    }
     ReachLimit limit(surface_, winding_, squared_, boxes);
-    return std::all_of(stored.begin(), stored.end(), [&](const ConvexPart& part) {
+    const bool is_near = std::all_of(stored.begin(), stored.end(), [&](const ConvexPart& part) {
       return limit.allows(part, log_.watch(kMerge));
     });
+    return {is_near, volume_share};
   }
 
   const Surface& surface_;

@@ -19,7 +19,8 @@ struct CutParts {
 /// Cuts until what each region has of the solid is within half the distance, since finer leaves
 /// merge into fewer parts; then merges by the distance. With more effort several such shares are
 /// tried. Where parts are simplified, the distance to merge by is lowered until they are within the
-/// whole distance then, and their volumes within the limit; the last attempt is kept if none is.
+/// whole distance then, and their volumes within the limit. Of five attempts of which none is, that
+/// with the least volume is kept, or the last one.
 /// @param winding           Of the surface; null if it is open.
 /// @param squared_distance  > 0.
 /// @param volume_limit      Null if there is none.

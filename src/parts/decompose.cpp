@@ -76,7 +76,11 @@ class Decomposer {
       prove(made_, request_.watch.stop);
     });
     decide_reach(stored);
-    if (volume_limit_) made_.excess = volume_limit_->excess_of(stored, log_.watch("excess"));
+    if (volume_limit_) {
+      made_.excess = log_.run("parts' volumes", [&] {
+        return volume_limit_->excess_of(stored, log_.watch("parts' volumes"));
+      });
+    }
     if (cuts(request_)) find_planes_between(stored);
     if (request_.measures != PartMeasures::None) {
       made_.measures = measure_volumes(made_.surface, stored, request_.measures,

@@ -193,6 +193,9 @@ class ReachMerger {
     return added * static_cast<double>(1 + uniform_below(*random_, kMost)) / kMiddle;
   }
 
+  // Where all together are too large already, they may at least not grow.
+  bool is_small(double volume) const { return volume <= std::max(options_.most_volume, volume_); }
+
   bool are_near(const Joined& a, const Joined& b) const {
     for (int k = 0; k < 3; ++k) {
       if (a.box.high[k] + distance_ < b.box.low[k] || b.box.high[k] + distance_ < a.box.low[k]) {
@@ -223,7 +226,7 @@ class ReachMerger {
       if (!alive.contains(a) || !alive.contains(b)) continue;
       Joined& both = hulls_.join(*numbered[a], *numbered[b]);
       const double volume = volume_ + both.volume - numbered[a]->volume - numbered[b]->volume;
-      if (volume > options_.most_volume || !hulls_.allows(both)) continue;
+      if (!is_small(volume) || !hulls_.allows(both)) continue;
       const bool is_apart =
           std::all_of(alive.begin(), alive.end(), [&, a = a, b = b](std::uint32_t c) {
             return c == a || c == b || hulls_.allows(both, *numbered[c]);
@@ -267,7 +270,7 @@ class ReachMerger {
 
   bool replace(std::size_t k, Joined& by, Arrangement& in) {
     const double volume = in.volume + by.volume - in.parts[k]->volume;
-    if (volume > options_.most_volume || !hulls_.allows(by)) return false;
+    if (!is_small(volume) || !hulls_.allows(by)) return false;
     for (std::size_t other = 0; other < in.parts.size(); ++other) {
       if (other != k && !hulls_.allows(by, *in.parts[other])) return false;
     }
@@ -277,8 +280,8 @@ class ReachMerger {
   }
 
   // Takes a piece into the part that grows least, or else into one that gives away another piece,
-  // which finds a place likewise: as a matching grows by an augmenting path. Each part is entered
-  // once.
+  // which finds a place likewise: as a matching grows by an augmenting path. Each part gives away
+  // once at most.
   bool place(std::uint32_t piece, Arrangement& in, std::vector<bool>& entered) {
     std::vector<std::pair<double, std::size_t>> order;
     for (std::size_t k = 0; k < in.parts.size(); ++k) {

@@ -23,7 +23,8 @@ struct ReachMergeOptions {
   std::size_t exchanges = 0;
   /// Parts to end with even if they reach too far; 0: none are merged for that.
   std::size_t most_parts = 0;
-  /// A volume in the frame that the parts' volumes together must not exceed.
+  /// A volume in the frame that the parts' volumes together must not exceed, up to roundings. Where
+  /// the pieces exceed it already, merging adds no volume.
   double most_volume = HUGE_VAL;
   /// Each two parts must have a plane between them, up to kApart, except for `most_parts`.
   bool keeps_apart = false;
@@ -43,9 +44,9 @@ struct ReachMerged {
 /// Each piece becomes a part. Then, again and again, the two parts are merged whose common hull
 /// adds the least volume among those that the limit allows. Then each part whose pieces all find a
 /// place in other parts, as far as the limit allows, is given up, smallest first; a piece goes to
-/// the part that grows least, or by exchanges. Of several rounds the fewest parts are kept, of
-/// these the least volume. Volumes are those of hulls of doubles, so that every machine sorts
-/// alike; no proof depends on the order.
+/// the part that grows least, or takes the place of another one. Of several rounds the fewest parts
+/// are kept, of these the least volume. Volumes are those of hulls of doubles, so that every
+/// machine sorts alike; no proof depends on the order.
 /// @param pieces  The points of each, in the frame of the limit.
 /// @throws Error Stopped when the watch ends the call.
 [[nodiscard]] ReachMerged merge_by_reach(std::span<const std::vector<Point>> pieces,

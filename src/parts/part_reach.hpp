@@ -12,8 +12,8 @@ namespace convexact {
 /// @throws Error InvalidArgument for a distance that cells cannot tell, and for 0 without a solid.
 void require_told(const Rational& squared_share, bool is_closed);
 
-/// Ascending. By cells; at a distance of 0 the volume outside of the solid decides what they do
-/// not, exactly.
+/// The parts that are not proven to be within the distance, ascending, with what is known of them.
+/// By cells; at a distance of 0 the volume outside of the solid decides what they leave open.
 /// @param limit  Of that distance, with room for the parts.
 /// @param made   With its surface, its parts, and `reach->squared_distance`.
 /// @param quiet  For the volumes: it stops, and reports nothing.

@@ -164,12 +164,12 @@ std::string excess_line(const Decomposition& decomposition) {
   const Enclosure percent = excess.share * Enclosure(Integer(100), kMeasureBits);
   const std::string allowed = percent_text(excess.most * 100);
   return summary_line(
-      "excess",
+      "volumes",
       excess.holds
-          ? fmt::format("the parts' volumes together exceed the solid's by no more than {} of it",
+          ? fmt::format("of the parts together exceed the solid's by no more than {} of it",
                         allowed)
-          : fmt::format("not held: the parts' volumes together exceed the solid's by {}% of it, {} "
-                        "allowed; a smaller --distance has less",
+          : fmt::format("not held: those of the parts together exceed the solid's by {}% of it, "
+                        "more than the {} that --max-excess allows",
                         interval_text(percent), allowed));
 }
 

@@ -253,7 +253,8 @@ TEST_CASE("cut parts: an excess that no way was found to keep is told") {
   // Flat facets of convex parts cannot follow a round hole, nor one part a cell that is missing.
   DecomposeRequest request = cutting();
   request.max_excess = Rational(0);
-  const Decomposition round = cut_of(shipped("cases/tube"), request);
+  const Mesh tube = shipped("cases/tube");
+  const Decomposition round = cut_of(tube, request);
   REQUIRE(round.excess);
   CHECK(!round.excess->holds);
   CHECK(round.excess->share.low() > 0);
@@ -263,6 +264,25 @@ TEST_CASE("cut parts: an excess that no way was found to keep is told") {
   const Decomposition joined = cut_of(l, request);
   CHECK(!joined.excess->holds);
   CHECK(joined.excess->share.contains(Rational(1, 6)));  // half a cell of three
+}
+
+TEST_CASE("cut parts: regions that are too large for the excess allowed still merge" * sweep) {
+  // A hollow cube of cells, turned by a matrix of integers and scaled, so that corners are rounded.
+  std::set<Cell> cells;
+  for (int k = 0; k < 27; ++k) cells.insert({k % 3, k / 3 % 3, k / 9});
+  cells.erase({1, 1, 1});
+  Mesh mesh = mesh_of_cells(cells);
+  std::vector<Point> points;
+  for (const Point& x : mesh.points.doubles()) {
+    points.emplace_back(0.1 * (2 * x[0] + x[1]), 0.1 * (2 * x[1] + x[2] - x[0]),
+                        0.1 * (2 * x[2] - x[1]));
+  }
+  mesh.points = PointSet(points);
+  DecomposeRequest request = cutting();
+  request.max_excess = parse_rational("1/1000000000000");
+  const Decomposition made = cut_of(mesh, request);
+  CHECK(made.parts.size() <= std::get<Partition>(made.origin).leaves.size());
+  CHECK(made.parts.size() <= 5 * cut_of(mesh, cutting()).parts.size());  // it was 30 times
 }
 
 TEST_CASE("cut parts: an excess of exactly as much as allowed holds") {

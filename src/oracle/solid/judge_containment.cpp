@@ -5,7 +5,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 
 #include "convexact/error.hpp"
 #include "convexact/geometry.hpp"
@@ -190,9 +189,7 @@ void judge_outside(const std::vector<PointId>& outside, Trial& trial) {
 struct CandidateVertices {
   explicit CandidateVertices(const PointSet& given) : points(given) {}
   explicit CandidateVertices(std::vector<RationalPoint> exact) {
-    Rational largest = 0;
-    for (const RationalPoint& v : exact) largest = std::max(largest, v.cwiseAbs().maxCoeff());
-    while (!std::isfinite(to_double(divided(largest), Rounding::Up))) ++shift;
+    if (const auto largest = largest_exponent(exact)) shift = std::max(0L, *largest - 1000);
     if (shift > 0) {
       for (RationalPoint& v : exact) v = v.unaryExpr([&](const Rational& x) { return divided(x); });
     }
@@ -215,7 +212,7 @@ struct CandidateVertices {
   }
 
   PointSet points;
-  int shift = 0;
+  long shift = 0;
 };
 
 // Those that lie outside of the input's hull.
