@@ -4,7 +4,7 @@
 `programs.py install [NAME]` brings packages of the Python index, `programs.py kind NAME` says what a program writes (hulls or
 decompositions) and where it is from.
 
-To add a program, write an adapter that reads an OBJ and writes one: for npm a function in programs.mjs, for Python one in
+To add a program, write an adapter that reads an OBJ and writes one: for npm a function in programs.mjs (with a limit, in limits.mjs), for Python one in
 python_hulls.py, python_parts.py or python_boxes.py, for Rust one in crates.rs, for C++ a file like bullet.cpp. It writes the
 points that a face uses, and no others. Then add a line to the tables below, and the package to package.json, Cargo.toml or
 `prepare_debian` in dev.
@@ -70,6 +70,8 @@ ENVIRONMENT = ROOT / "build" / "peers" / "bin" / "python"
 NPM = {"three-hull": "binary64", "three-geometry": "binary32", "quickhull3d": "binary64",
        "quickhull3d-polygons": "binary64", "jolt": "binary32", "rapier": "binary32", "manifold": "binary32",
        "physx": "binary32", "physx-shifting": "binary32", "vhacd": "binary64", "ammo": "binary32"}
+# Those that are asked for a number of vertices, in limits.mjs.
+NPM_LIMITED = {"physx-limit": "binary32"}
 NPM_PARTS = {"vhacd-16": ("binary64", "vhacd-js"), "vhacd-24": ("binary64", "vhacd-js"), "vhacd-parts": ("binary64", "vhacd-js"),
              "rapier-parts": ("binary32", "@dimforge/rapier3d-compat")}
 # Crates, in the versions of crates/Cargo.toml.
@@ -81,18 +83,19 @@ BUILT = {"bullet-hull": ("bullet", "hull", "binary32"), "bullet-shape": ("bullet
          "bullet64-hull": ("bullet64", "hull", "binary64"), "bullet64-shape": ("bullet64", "shape", "binary64"),
          "cgal-doubles": ("cgal", "doubles", "binary64"), "cgal-predicates": ("cgal", "exact-predicates", "binary64"), "cgal-box": ("cgal", "box", "binary64")}
 # The engine in share/convexact/profiles.json whose tolerance a program promises. btShapeHull and V-HACD promise none.
-PROFILES = {"jolt": "jolt", "physx": "physx", "physx-shifting": "physx", "bullet-hull": "bullet", "bullet64-hull": "bullet",
+PROFILES = {"jolt": "jolt", "physx": "physx", "physx-shifting": "physx", "physx-limit": "physx", "bullet-hull": "bullet", "bullet64-hull": "bullet",
             "ammo": "bullet", "manifold": "manifold", "qhull": "qhull", "qhull-triangles": "qhull",
             "quickhull3d": "quickhull3d", "quickhull3d-polygons": "quickhull3d", "rapier": "rapier",
             "three-hull": "threejs", "three-geometry": "threejs", "scipy": "qhull", "trimesh": "qhull", "open3d": "qhull",
             "coal": "qhull", "pymeshlab": "qhull", "drake": "qhull", "parry": "rapier"}
 PACKAGES = {"three-hull": "three", "three-geometry": "three", "quickhull3d-polygons": "quickhull3d", "jolt": "jolt-physics",
             "rapier": "@dimforge/rapier3d-compat", "manifold": "manifold-3d", "physx": "physx-js-webidl",
-            "physx-shifting": "physx-js-webidl", "vhacd": "vhacd-js", "ammo": "ammojs-typed"}
+            "physx-shifting": "physx-js-webidl", "physx-limit": "physx-js-webidl", "vhacd": "vhacd-js", "ammo": "ammojs-typed"}
 # What people use and what cannot be judged here, with the reason.
 NOT_HERE = {"python-fcl": "0.7.0.11 takes a hull (fcl.Convex) and computes none",
             "pybullet's hull": "3.2.7 returns its corners and no faces; the library under it is bullet-hull",
             "ovphysx": "0.3.7 cooks hulls of a USD stage, and no call returns them; the engine under it is physx",
+            "Jolt's limit of vertices": "it is a constant, 256 (cMaxPointsInHull), and no setting",
             "geogram": "0.0.7 of the Python index binds its Voronoi diagrams only, and Debian 12 has no package",
             "cuacd": "0.1.0 needs the driver of a GPU (libcuda.so.1)",
             "CGAL's convex_decomposition_3": "the export of version 5.5 is wrong"}
@@ -145,6 +148,7 @@ def own_programs(convexact):
 
 def hull_programs():
     programs = [npm_program(name, numbers, PACKAGES.get(name, name)) for name, numbers in NPM.items()]
+    programs += [npm_program(name, numbers, PACKAGES[name], "limits.mjs", "{faces}") for name, numbers in NPM_LIMITED.items()]
     for name, (binary, mode, numbers) in BUILT.items():
         package = {"bullet": "libbullet-dev", "cgal": "libcgal-dev"}[binary.removesuffix("64")]
         programs.append(built_program(name, binary, mode, numbers, package))
@@ -167,9 +171,9 @@ def decomposers(convexact):
     return programs + [crate_program(name, *found) for name, found in CRATES_PARTS.items()]
 
 
-def npm_program(name, numbers, package):
+def npm_program(name, numbers, package, script="programs.mjs", *more):
     there = shutil.which("node") and (BUILD / "node_modules").exists()
-    return Program(name, ["node", str(BUILD / "programs.mjs"), name, "{input}", "{output}"], numbers, origin="npm",
+    return Program(name, ["node", str(BUILD / script), name, "{input}", "{output}", *more], numbers, origin="npm",
                    missing="" if there else "npm packages are not installed", version=npm_version(package))
 
 

@@ -26,7 +26,7 @@ from programs import BUILD, MOST_USED, NOT_HERE, ROOT, all_programs, own_seconds
 from real_meshes import real_meshes  # noqa: E402
 from reading import Malformed, Mesh, NotFinite, read, vector_number  # noqa: E402
 from subjects import hull_finding, write_subject  # noqa: E402
-from tables import found_in, hull_table, write_page  # noqa: E402
+from tables import distance_table, ends_table, found_in, hull_table, write_page  # noqa: E402
 
 TOLERANCES = ("1e-15d", "1e-9d", "1e-6d", "1e-2d")
 MESHES = sorted(path.stem for path in (ROOT / "tests" / "data").glob("*.obj"))
@@ -269,7 +269,7 @@ def parse_options(arguments):
     parser.add_argument("--jobs", type=int, default=os.cpu_count(), help="cases at a time (default: the processors)")
     parser.add_argument("--case", default="", help="only inputs whose name has this in it")
     parser.add_argument("--program", action="append", help="only this program; may be repeated")
-    parser.add_argument("--only", metavar="NAME", help="one program in minutes: --program NAME --every 4 --meshes --mutants 0")
+    parser.add_argument("--only", metavar="NAME", help="one program, as in the table: --program NAME --mutants 0")
     parser.add_argument("--time-limit", type=float, default=20, help="seconds for one run of a program (default 20)")
     parser.add_argument("--verify-limit", type=float, default=120, help="seconds for one verdict (default 120)")
     parser.add_argument("--most", type=int, default=700, help="points of the largest output to judge (default 700)")
@@ -286,13 +286,13 @@ def parse_options(arguments):
     parser.add_argument("-o", dest="report", help="the report as JSON (default: in build/field, report.json, report-real.json, ...)")
     options = parser.parse_args(arguments)
     if options.only:
-        options.program, options.every, options.meshes, options.mutants = [options.only], 1 if options.real else 4, True, 0
+        options.program, options.mutants = [options.only], 0
     options.suffix = "" if not options.real else "-real" if options.real <= 30 else f"-real-{options.real}"
     options.report = options.report or str(BUILD / f"report{options.suffix}.json")
     if options.real > 30 and not options.program:
         options.program, options.mutants = list(MOST_USED), 0
     if options.page and options.case:
-        parser.error("--page shows programs over a sample of all inputs, so not with --case")
+        parser.error("--page shows programs over all inputs, so not with --case")
     return options
 
 
@@ -319,8 +319,12 @@ def main(arguments=None):
     differing = [record for record in records if record["differences"]]
     Path(options.report).write_text(json.dumps({"skipped": skipped, "records": records}, indent=1) + "\n")
     everything = all_programs(options.convexact)
-    write_page(options.suffix[1:] or "hulls", hull_table(records, everything, len(work), options.real), options.page,
-               [program.name for program in everything])
+    names = [program.name for program in everything]
+    write_page(options.suffix[1:] or "hulls", hull_table(records, everything, len(work), options.real), options.page, names)
+    if options.real:
+        write_page(options.suffix[1:] + "-distances", distance_table(records, everything), options.page, names)
+    else:
+        write_page("ends", ends_table(records, everything), options.page, names)
     write_subjects(records, programs, work, options)
     print(table(records))
     for record in differing[:60]:

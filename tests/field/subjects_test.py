@@ -32,6 +32,8 @@ class Subjects(unittest.TestCase):
         script = (HERE / "programs.mjs").read_text()
         for name in (*programs.NPM, *programs.NPM_PARTS):
             self.assertRegex(script, rf'async "?{name}"?\(')
+        for name in programs.NPM_LIMITED:
+            self.assertIn(f'async "{name}"(', (HERE / "limits.mjs").read_text())
 
     def test_names_and_kinds(self):
         names = [program.name for program in programs.own_programs("p") + programs.hull_programs() + programs.decomposers("p")]
@@ -162,22 +164,59 @@ class Pages(unittest.TestCase):
     def test_rows_of_real_meshes_have_no_columns_of_bunny(self):
         program = programs.Program("p", ["p"], version="p 1")
         found = {**Findings.GOOD, "outward": True, "is_hull": True, "facets": 8, "mesh": False, "seconds": 0.5}
-        records = [{"program": "p", "case": "c", "found": found}]
+        records = [{"program": "p", "case": "c", "outcome": "exit 0", "found": found}]
         for real, columns in ((0, len(tables.HULL_HEAD)), (30, len(tables.HULL_HEAD) - 2), (300, len(tables.HULL_HEAD) - 2)):
             self.assertEqual({line.count(" | ") + 1 for line in tables.hull_table(records, [program], 1, real).split("\n")}, {columns})
 
+    def test_outputs_too_large_for_the_judge_are_not_judged_twice(self):
+        program = programs.Program("p", ["p"], version="p 1")
+        found = {**Findings.GOOD, "outward": True, "is_hull": True, "facets": 8, "mesh": False, "seconds": 0.5}
+        for outcome, said in (("exit 1", "all"), ("too large for the judge", "1 of 2")):
+            records = [{"program": "p", "case": case, "outcome": how, "found": found} for case, how in (("a", "exit 0"), ("b", outcome))]
+            row = tables.hull_table(records, [program], 2).split("\n")[2].strip("| ").split(" | ")
+            self.assertEqual(dict(zip(tables.HULL_HEAD, row))["judged twice"], said)
+
+    def test_surfaces_too_large_for_the_judge_are_not_judged_twice(self):
+        judge = {**Findings.JUDGED, "parts": 1, "facets": [8], "overlapping_pairs": 0, "parts_inner": []}
+        for claim, said in ((False, "all"), (None, "1 of 2")):
+            records = [{"case": case, "outcome": "output", "seconds": 1.0, "judge": {**judge, "claims": {"covers-surface": covers}}}
+                       for case, covers in (("a", True), ("b", claim))]
+            records.append({"case": "c", "outcome": "time"})
+            row = tables.parts_row(programs.Program("p", ["p"]), records)
+            self.assertEqual(len(row), len(tables.PARTS_HEAD))
+            self.assertEqual(dict(zip(tables.PARTS_HEAD, row))["judged twice"], said)
+
+    def test_each_output_is_counted_once_by_its_worst_point(self):
+        worst = [None, "9e-400", "1e-15", "9.9e-13", "2e-12", "1e-9", "0.00099", "0.5"]
+        found = [{**Findings.GOOD, "seconds": 1.0, "contains": not distance, "relative": distance} for distance in worst]
+        found.append({**Findings.GOOD, "seconds": 1.0, "solid": False, "contains": False})
+        records = [{"program": "p", "case": str(k), "outcome": "exit 1", "found": one} for k, one in enumerate(found)]
+        self.assertEqual(tables.distance_table(records, [programs.Program("p", ["p"])]).split("\n"), [
+            "| program | outputs | 0 | < 1e-15 | < 1e-12 | < 1e-9 | < 1e-6 | < 1e-3 | farther | no volume |",
+            "| --- | ---: | ---: | ---: | ---: | ---: | ---: | ---: | ---: | ---: |", "| `p` | 9 | 1 | 1 | 2 | 1 | 1 | 1 | 1 | 1 |"])
+
+    def test_how_programs_end_without_an_output(self):
+        outcomes = ["exit 0", "exit 4", "too large for the judge", "an input beyond binary32", "refused 4", "refused 101", "signal 11",
+                    "no file", "time"]
+        records = [{"program": "p", "outcome": outcome, "tolerance": None} for outcome in outcomes]
+        records.append({"program": "p", "outcome": "exit 0", "tolerance": "1e-9d"})
+        self.assertEqual(tables.ends_table(records, [programs.Program("p", ["p"]), programs.Program("q", ["q"])]).split("\n")[2:],
+                         ["| `p` | 9 | 1 | 1 | 2 | 1 | 4 |"])
+
     def test_the_page_has_a_place_for_each_table(self):
         page = tables.PAGE.read_text()
-        for name in ("hulls", "real", "real-300", "matrix", "decompositions"):
+        for name in ("hulls", "ends", "real", "real-distances", "real-300", "real-300-distances", "matrix", "decompositions"):
             self.assertRegex(page, rf"<!-- {name}: (?s:.*)<!-- end of {name} -->")
 
     def test_an_empty_page_takes_all_rows(self):
         new = "| a | b |\n| --- | ---: |\n| `two` | 22 |"
         self.assertEqual(tables.with_old_rows(new, "\n", ["two"]), new)
 
-    def test_other_columns_are_refused(self):
+    def test_other_columns_are_refused_where_old_rows_stay(self):
+        new = "| a | c |\n| --- | ---: |\n| `two` | 22 |"
         with self.assertRaises(ValueError):
-            tables.with_old_rows("| a | c |\n| --- | ---: |\n| `two` | 22 |", self.OLD, ["two"])
+            tables.with_old_rows(new, self.OLD, ["one", "two"])
+        self.assertEqual(tables.with_old_rows(new, self.OLD, ["two"]), new)
 
 
     def test_times_are_replaced_in_the_rows_of_their_names(self):

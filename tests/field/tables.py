@@ -76,7 +76,9 @@ def hull_row(program, found, inputs):
     if program.promise:
         hulls += f"; within its promise {said(sum(bool(f.get('is_promised_hull')) for f in found), len(found))}"
     small_times = [f["seconds"] for f in found if f["seconds"] is not None and not f["mesh"]]
-    return [f"`{program.name}`", program.version or "this one", f"{inputs}; {time.strftime('%Y-%m-%d')}", str(len(found)), said(len(solid), len(found)),
+    twice = sum(f["outcome"].startswith("exit") for f in found)  # of the others convexact alone decides, by their size
+    return [f"`{program.name}`", program.version or "this one", f"{inputs}; {time.strftime('%Y-%m-%d')}", str(len(found)),
+            said(twice, len(found)), said(len(solid), len(found)),
             said(len(solid) - len(missing), len(solid)) if solid else "-", small(worst), promise, hulls,
             said(sum(bool(f["outward"]) for f in found), len(found)) if planar else "-",
             said(sum(bool(f["convex"]) for f in found), len(found)) if planar else "-",
@@ -84,30 +86,75 @@ def hull_row(program, found, inputs):
             shown_times or "-", facets or "-"]
 
 
-HULL_HEAD = ["program", "package", "inputs; date", "outputs", "solid", "hold the input", "farthest outside, D", "within its promise",
-             "are the hull", "outward", "convex", "planar", "median time", "time: bunny, spot, teapot", "facets"]
+HULL_HEAD = ["program", "package", "inputs; date", "outputs", "judged twice", "solid", "hold the input", "farthest outside, D",
+             "within its promise", "are the hull", "outward", "convex", "planar", "median time", "time: bunny, spot, teapot", "facets"]
+
+
+def outputs_by_name(records):
+    """What was found of each output, by program: of the records that have the seconds, which are those without a tolerance."""
+    by_name = {}
+    for record in records:
+        if record["found"] and "seconds" in record["found"]:
+            by_name.setdefault(record["program"], []).append({"case": record["case"], "outcome": record["outcome"], **record["found"]})
+    return by_name
 
 
 def hull_table(records, programs, inputs, real=False):
     """Real meshes are no peers of bunny, spot and teapot, whose columns are left out."""
-    by_name = {}
-    for record in records:
-        if record["found"] and "seconds" in record["found"]:
-            by_name.setdefault(record["program"], []).append({"case": record["case"], **record["found"]})
+    by_name = outputs_by_name(records)
     columns = len(HULL_HEAD) - (2 if real else 0)
     rows = [hull_row(program, by_name[program.name], inputs)[:columns] for program in programs if program.name in by_name]
     return markdown(HULL_HEAD[:columns], rows, left=2)
 
 
+# In diameters: how far the worst point of an output is outside. Each output is counted once, in the first that it is below.
+DISTANCES = (1e-15, 1e-12, 1e-9, 1e-6, 1e-3)
+DISTANCE_HEAD = ["program", "outputs", "0", *(f"< {bound:.0e}".replace("e-0", "e-") for bound in DISTANCES), "farther", "no volume"]
+
+
+def distance_row(program, found):
+    solid = [f for f in found if f["solid"]]
+    counts = [sum(bool(f["contains"]) for f in solid), *[0] * (len(DISTANCES) + 1)]
+    for distance in (float(f["relative"]) for f in solid if not f["contains"]):
+        counts[1 + sum(distance >= bound for bound in DISTANCES)] += 1
+    return [f"`{program.name}`", *map(str, (len(found), *counts, len(found) - len(solid)))]
+
+
+def distance_table(records, programs):
+    """How often, and not only how far at worst, outputs miss points of their input."""
+    by_name = outputs_by_name(records)
+    return markdown(DISTANCE_HEAD, [distance_row(program, by_name[program.name]) for program in programs if program.name in by_name])
+
+
+ENDS = ("exception or error", "empty result, no error", "ends the process", "no answer in time")
+
+
+def end_of(outcome):
+    """In the words of ENDS, of a run without an output; None of one that wrote one, judged or not."""
+    if outcome.startswith(("signal", "refused 101")):  # Rust's exit code of a panic
+        return ENDS[2]
+    kinds = {"refused": ENDS[0], "no file": ENDS[1], "time": ENDS[3]}
+    return next((words for start, words in kinds.items() if outcome.startswith(start)), None)
+
+
+def ends_table(records, programs):
+    """How often each program wrote nothing, and how it ended then; also for inputs without a volume."""
+    rows = []
+    for program in programs:
+        found = [end_of(record["outcome"]) for record in records if record["program"] == program.name and record["tolerance"] is None]
+        if found:
+            rows.append([f"`{program.name}`", str(len(found)), *(str(found.count(end)) for end in (*ENDS, None))])
+    return markdown(["program", "inputs", *ENDS, "output"], rows)
+
+
 def with_old_rows(text, old, names):
     """The table `text`, with the rows of `old` for programs that it has not; in the order of `names`."""
-    head, rows = text.split("\n")[:2], {}
-    before = old.strip().split("\n")
-    if before[:2] != head and len(before) > 1:
+    head, before = text.split("\n")[:2], old.strip().split("\n")
+    rows, kept = ({line.split("`")[1]: line for line in lines[2:]} for lines in (text.split("\n"), before))
+    if len(before) > 1 and before[:2] != head and any(name in kept and name not in rows for name in names):
         raise ValueError("docs/results/field.md has other columns: run all programs")
-    for line in before[2:] + text.split("\n")[2:]:
-        rows[line.split("`")[1]] = line
-    return "\n".join(head + [rows[name] for name in names if name in rows])
+    found = {**kept, **rows}
+    return "\n".join(head + [found[name] for name in names if name in found])
 
 
 def edit_page(name, change):
@@ -204,13 +251,15 @@ REACH = 0.03
 # The meshes of the table; each cell has their values in this order.
 PARTS_MESHES = ("l", "plus", "cross", "torus", "spot", "cow")
 PARTS_HEAD = ["decomposer", "package", "date", "parts", "most facets", "its time", "points outside", "farthest, D", "surface outside",
-              "volume outside", "excess volume", "beyond, D", "verdict's time", "parts with faults"]
+              "volume outside", "excess volume", "beyond, D", "verdict's time", "judged twice", "parts with faults"]
 
 
 def parts_row(program, records):
     cells = zip(*(judged_cells(record) for record in records))
+    judges = [record["judge"] for record in records if "judge" in record]
+    twice = sum(judge["claims"]["covers-surface"] is not None for judge in judges)  # of the others the judge tests the points only
     return [f"`{program.name}`", program.version or "this one", time.strftime("%Y-%m-%d"), *(", ".join(column) for column in cells),
-            faults([record["judge"] for record in records if "judge" in record])]
+            said(twice, len(judges)), faults(judges)]
 
 
 def parts_table(records, programs):
