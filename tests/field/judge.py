@@ -125,7 +125,8 @@ def decide_convex(claims, figures, tolerance):
 def judge_faces(verdict, surface, hull, scale, tolerance):
     """The claims about a surface; a tolerance forgives distances to planes, never a hole.
 
-    Faces that all look inward are one fault, of mesh-oriented; for the others they are turned.
+    Faces that all look inward are one fault, of mesh-oriented; for the others they are turned. (Those that enclose no volume
+    look neither inward nor outward, and stay.)
     """
     claims = verdict.claims
     verdict.figures.update(without_area=surface.without_area(), not_simple=surface.not_simple(),
@@ -140,7 +141,7 @@ def judge_faces(verdict, surface, hull, scale, tolerance):
     claims["mesh-planar"] = not verdict.figures["not_simple"] and bend / scale ** 2 <= tolerance
     if hull is None:
         return
-    if claims["mesh-closed"] and claims["mesh-oriented"] is False and verdict.figures["consistent"]:
+    if claims["mesh-closed"] and verdict.figures["consistent"] and surface.volume6() < 0:
         surface = surface.turned_over()
     off, worst = surface.off_hull(hull)
     verdict.figures.update(faces_off=off, squared_concavity=worst / scale ** 2)

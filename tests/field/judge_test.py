@@ -10,7 +10,7 @@ from pathlib import Path
 sys.path.insert(0, str(Path(__file__).parent))
 from judge import Input, judge, judge_files  # noqa: E402
 from reading import Malformed, Mesh, NotFinite, Numbers, Rows, read, to_binary32  # noqa: E402
-from solid import Flat, Hull, Intersection  # noqa: E402
+from solid import Flat, Hull, Intersection, cross, dot, minus  # noqa: E402
 
 CUBE = [(x, y, z) for x in (0.0, 1.0) for y in (0.0, 1.0) for z in (0.0, 1.0)]
 QUADS = [[0, 1, 3, 2], [4, 6, 7, 5], [0, 4, 5, 1], [2, 3, 7, 6], [0, 2, 6, 4], [1, 5, 7, 3]]
@@ -150,6 +150,20 @@ class Surfaces(unittest.TestCase):
         verdict = verdict_on(points, QUADS)
         self.assertFalse(verdict.claims["mesh-planar"])
         self.assertGreater(verdict.figures["squared_bend"], 0)
+
+    def test_faces_that_enclose_no_volume_are_not_turned(self):
+        # Two pyramids over one triangle, to the same side and equally high.
+        points = [(0, 0, 0), (2, 0, 0), (0, 2, 0), (0, 0, 2), (1, 1, 2)]
+        faces = [(0, 1, 3), (1, 2, 3), (2, 0, 3), (1, 0, 4), (2, 1, 4), (0, 2, 4)]
+        verdict = judge(Input(points), Mesh(points, faces))
+        self.assertIs(verdict.claims["mesh-closed"], True)
+        self.assertIs(verdict.claims["mesh-oriented"], False)
+        worst = 0
+        for a, b, c in ([points[corner] for corner in face] for face in faces):
+            normal = cross(minus(b, a), minus(c, a))
+            beyond = [dot(normal, minus(p, a)) for p in points]
+            worst = max([worst] + [Fraction(x * x, dot(normal, normal)) for x in beyond if x > 0])
+        self.assertEqual(verdict.figures["squared_concavity"], worst)
 
 
 class Files(unittest.TestCase):
