@@ -18,7 +18,7 @@ from judge_parts_test import boundary  # noqa: E402
 from reading import Mesh, read  # noqa: E402
 from solid import dimension_of, flat_polygon  # noqa: E402
 
-PROGRAM, DATA, WORLDS = sys.argv[1], Path(sys.argv[2]), int(sys.argv[3]) if len(sys.argv) > 3 else 20
+PROGRAM, DATA, WORLDS = sys.argv[1], Path(sys.argv[2]), int(sys.argv[3]) if len(sys.argv) > 3 else 24
 DISTANCES = (("3%", "0.03d"), ("10%", "0.1d"), ("0.37", "0.37"))  # as decompose and as the judge spell them
 
 
@@ -35,10 +35,10 @@ def crossing(chance):
     """Two or three prisms over convex polygons of integers, each closed; what they share lies in both."""
     points, faces = [], []
     for _ in range(chance.randrange(2, 4)):
-        spots = list({(chance.randrange(6), chance.randrange(6)) for _ in range(7)})
-        flat = [(x, y, 0) for x, y in spots]
-        if dimension_of(flat) < 2:
-            continue
+        flat = []
+        while dimension_of(flat) < 2:
+            spots = list({(chance.randrange(6), chance.randrange(6)) for _ in range(7)})
+            flat = [(x, y, 0) for x, y in spots]
         outline = [spots[k] for k in flat_polygon(flat, range(len(flat)), (0, 0, 1))]
         low, high = sorted(chance.sample(range(6), 2))
         turn = chance.randrange(3)  # the axis of the prism
@@ -64,11 +64,12 @@ def with_junctions(chance, mesh):
     return Mesh(points, faces)
 
 
-def some_solid(chance):
-    mesh = crossing(chance) if chance.randrange(4) == 0 else some_cells(chance)
-    if chance.randrange(3) == 0:
+def some_solid(chance, world):
+    """Of all 24 kinds in turn."""
+    mesh = crossing(chance) if world % 3 == 0 else some_cells(chance)
+    if world // 3 % 2 == 0:
         mesh = with_junctions(chance, mesh)
-    matrix = MATRICES[chance.choice(sorted(MATRICES))]
+    matrix = MATRICES[sorted(MATRICES)[world // 6 % len(MATRICES)]]
     return Mesh([tuple(sum(m * x for m, x in zip(row, point)) for row in matrix) for point in mesh.points], mesh.faces)
 
 
@@ -88,9 +89,7 @@ class Cuts(unittest.TestCase):
         chance = random.Random(48)
         with tempfile.TemporaryDirectory() as folder:
             for world in range(WORLDS):
-                mesh, path, distance = some_solid(chance), Path(folder) / "solid.obj", chance.choice(DISTANCES)
-                if not mesh.faces:
-                    continue
+                mesh, path, distance = some_solid(chance, world), Path(folder) / "solid.obj", chance.choice(DISTANCES)
                 path.write_text("".join(f"v {x} {y} {z}\n" for x, y, z in mesh.points) +
                                 "".join("f " + " ".join(str(corner + 1) for corner in face) + "\n" for face in mesh.faces), encoding="utf-8")
                 with self.subTest(world=world):
