@@ -336,7 +336,7 @@ TEST_CASE("decompose: the text for people") {
        {"28 triangles on 16 points, 1 component, closed: it bounds a solid", "parts       2, of at",
         "limit       holds: no cluster is more concave than 3% of the diameter, a length of 0.09",
         "covers      surface: each of 28 triangles lies in the part that owns it, tested exactly",
-        "hollow      nothing: the parts hold the solid", "reach       not limited: --guard reach",
+        "hollow      nothing: the parts hold the solid", "reach       not limited: --method cut",
         "left out    excess, and volume and overlap of the parts",
         "2 with corners of the input, bit by bit", "nothing; -o parts.obj keeps the parts"}) {
     CAPTURE(text);
