@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The npm programs of ./dev field: node programs.mjs NAME INPUT.obj OUTPUT.obj
+// The npm programs of ./dev field: node programs.mjs NAME INPUT.obj OUTPUT.obj [FACES]
 // Each takes the input's points and writes its hull as a mesh, or takes its faces and writes convex parts, an
 // object for each, in the digits its users print. The seconds of the library's own call go to OUTPUT.obj.json.
 // It runs from build/field, beside node_modules. Exit code 4: the library found no hull.
@@ -70,6 +70,15 @@ const soup = (corners, single) => ({ points: corners, faces: triples(corners.map
 function usedOnly(points, faces) {
   const used = [...new Set(faces.flat())], index = new Map(used.map((corner, k) => [corner, k]));
   return { points: used.map((corner) => points[corner]), faces: faces.map((face) => face.map((corner) => index.get(corner))) };
+}
+
+// physx-js-webidl has no name for vertexLimit. In PxConvexMeshDesc it follows three PxBoundedData of 12 bytes and two
+// bytes of flags, and its default is 255: another value there means another layout.
+function setVertexLimit(description, limit, arrays) {
+  const place = 38 / 2, words = arrays.voidToU16Ptr(description);
+  if (arrays.getU16At(words, place) !== 255) throw new Error("no vertexLimit where it was");
+  arrays.setU16At(description, place, limit);
+  if (arrays.getU16At(words, place) !== limit) throw new Error("vertexLimit cannot be set");
 }
 
 const programs = {
@@ -148,7 +157,7 @@ const programs = {
     return { points: corners, faces: triples(mesh.triVerts), single: true };
   },
 
-  async physx({ points }, shifting = false) {
+  async physx({ points }, { shifting = false, limit = null } = {}) {
     const { default: start } = await import("physx-js-webidl");
     // Built for browsers only, so node has to look like one while it starts, and to read the file itself.
     const wasmBinary = readFileSync(new URL(import.meta.resolve("physx-js-webidl/physx-js-webidl.wasm")));
@@ -167,10 +176,11 @@ const programs = {
     description.points.count = points.length;
     description.points.stride = 12;
     description.points.data = input.begin();
+    const read = PhysX.NativeArrayHelpers.prototype;
+    if (limit) setVertexLimit(description, limit, read);
     const parameters = new PhysX.PxCookingParams(new PhysX.PxTolerancesScale());
     const mesh = timed(() => top.CreateConvexMesh(parameters, description));
     if (!mesh || !mesh.ptr) throw new Error("no convex mesh");
-    const read = PhysX.NativeArrayHelpers.prototype;
     const corners = Array.from({ length: mesh.getNbVertices() }, (_, k) => {
       const { x, y, z } = read.getVec3At(mesh.getVertices(), k);
       return [x, y, z];
@@ -184,7 +194,12 @@ const programs = {
   },
 
   async "physx-shifting"(input) {
-    return programs.physx(input, true);
+    return programs.physx(input, { shifting: true });
+  },
+
+  // PhysX takes no limit below 8 without plane shifting.
+  async "physx-limit"(input, faces) {
+    return programs.physx(input, { limit: Math.min(Math.max(8, Number(faces)), 255) });
   },
 
   async vhacd({ points, faces }) {
@@ -250,9 +265,9 @@ const programs = {
   },
 };
 
-const [name, input, output] = process.argv.slice(2);
+const [name, input, output, ...more] = process.argv.slice(2);
 try {
-  const result = await programs[name](readObj(input));
+  const result = await programs[name](readObj(input), ...more);
   if (result.parts?.length === 0) throw new Error("no parts");
   (result.parts ? writeParts : writeObj)(output, result);
   writeFileSync(output + ".json", JSON.stringify({ seconds }) + "\n");

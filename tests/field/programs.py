@@ -4,7 +4,7 @@
 `programs.py install [NAME]` brings packages of the Python index, `programs.py kind NAME` says what a program writes (hulls or
 decompositions) and where it is from.
 
-To add a program, write an adapter that reads an OBJ and writes one: for npm a function in programs.mjs (with a limit, in limits.mjs), for Python one in
+To add a program, write an adapter that reads an OBJ and writes one: for npm a function in programs.mjs, for Python one in
 python_hulls.py, python_parts.py or python_boxes.py, for Rust one in crates.rs, for C++ a file like bullet.cpp. It writes the
 points that a face uses, and no others. Then add a line to the tables below, and the package to package.json, Cargo.toml or
 `prepare_debian` in dev.
@@ -70,7 +70,7 @@ ENVIRONMENT = ROOT / "build" / "peers" / "bin" / "python"
 NPM = {"three-hull": "binary64", "three-geometry": "binary32", "quickhull3d": "binary64",
        "quickhull3d-polygons": "binary64", "jolt": "binary32", "rapier": "binary32", "manifold": "binary32",
        "physx": "binary32", "physx-shifting": "binary32", "vhacd": "binary64", "ammo": "binary32"}
-# Those that are asked for a number of vertices, in limits.mjs.
+# Those that are asked for a number of vertices.
 NPM_LIMITED = {"physx-limit": "binary32"}
 NPM_PARTS = {"vhacd-16": ("binary64", "vhacd-js"), "vhacd-24": ("binary64", "vhacd-js"), "vhacd-parts": ("binary64", "vhacd-js"),
              "rapier-parts": ("binary32", "@dimforge/rapier3d-compat")}
@@ -148,7 +148,7 @@ def own_programs(convexact):
 
 def hull_programs():
     programs = [npm_program(name, numbers, PACKAGES.get(name, name)) for name, numbers in NPM.items()]
-    programs += [npm_program(name, numbers, PACKAGES[name], "limits.mjs", "{faces}") for name, numbers in NPM_LIMITED.items()]
+    programs += [npm_program(name, numbers, PACKAGES[name], "{faces}") for name, numbers in NPM_LIMITED.items()]
     for name, (binary, mode, numbers) in BUILT.items():
         package = {"bullet": "libbullet-dev", "cgal": "libcgal-dev"}[binary.removesuffix("64")]
         programs.append(built_program(name, binary, mode, numbers, package))
@@ -171,9 +171,9 @@ def decomposers(convexact):
     return programs + [crate_program(name, *found) for name, found in CRATES_PARTS.items()]
 
 
-def npm_program(name, numbers, package, script="programs.mjs", *more):
+def npm_program(name, numbers, package, *more):
     there = shutil.which("node") and (BUILD / "node_modules").exists()
-    return Program(name, ["node", str(BUILD / script), name, "{input}", "{output}", *more], numbers, origin="npm",
+    return Program(name, ["node", str(BUILD / "programs.mjs"), name, "{input}", "{output}", *more], numbers, origin="npm",
                    missing="" if there else "npm packages are not installed", version=npm_version(package))
 
 

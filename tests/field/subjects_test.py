@@ -30,10 +30,8 @@ class Subjects(unittest.TestCase):
         arms = set(re.findall(r'^ +"([\w-]+)" => obj_text', (HERE / "crates" / "crates.rs").read_text(), re.MULTILINE))
         self.assertEqual(arms, {*programs.CRATES, *programs.CRATES_PARTS})
         script = (HERE / "programs.mjs").read_text()
-        for name in (*programs.NPM, *programs.NPM_PARTS):
+        for name in (*programs.NPM, *programs.NPM_LIMITED, *programs.NPM_PARTS):
             self.assertRegex(script, rf'async "?{name}"?\(')
-        for name in programs.NPM_LIMITED:
-            self.assertIn(f'async "{name}"(', (HERE / "limits.mjs").read_text())
 
     def test_names_and_kinds(self):
         names = [program.name for program in programs.own_programs("p") + programs.hull_programs() + programs.decomposers("p")]
