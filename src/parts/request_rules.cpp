@@ -4,8 +4,6 @@
 #include "convexact/error.hpp"
 
 namespace convexact {
-namespace {}  // namespace
-
 bool uses_reach(const DecomposeRequest& request) {
   return cuts(request) || request.guard == ReachUse::Reach || request.merge == ReachUse::Reach;
 }

@@ -32,6 +32,18 @@ void append_rows(std::string& text, const char* key, const Rows& rows, const App
   text += ']';
 }
 
+// The objects of a file with several: which triangles are theirs, and points that no triangle uses.
+Json objects_of(const Mesh& mesh) {
+  Json objects = Json::array();
+  for (const MeshPart& part : mesh.parts) {
+    objects.push_back({{"name", part.name},
+                       {"first", part.first_polygon},
+                       {"end", part.last_polygon},
+                       {"loose", part.loose}});
+  }
+  return objects;
+}
+
 std::string mesh_text(const Mesh& mesh) {
   std::string text = "{";
   const auto append = [&](const auto& x) { fmt::format_to(std::back_inserter(text), "{}", x); };
@@ -47,6 +59,7 @@ std::string mesh_text(const Mesh& mesh) {
   }
   text += ',';
   append_rows(text, "triangles", mesh.polygons, append);
+  if (mesh.parts.size() > 1) text += ",\"objects\":" + write_json(objects_of(mesh));
   return text + ",\"notes\":" + write_json(Json(mesh.notes)) + "}";
 }
 

@@ -132,7 +132,16 @@ def check_parts(page, screenshots):
     wait_for_sentence(page, "^stairs: a hull")
     page.evaluate('document.querySelector("#decompose button").click()')
     assert wait_for_sentence(page, "convex parts") == "3 convex parts hold stairs"
-    assert len(re.findall("^o ", saved(page, "stairs-parts.obj"), re.M)) == 3
+    parts = saved(page, "stairs-parts.obj")
+    assert len(re.findall("^o ", parts, re.M)) == 3
+    # Dropped again they are judged as parts; without the last of them something is left out.
+    drop(page, ["parts.obj", parts])
+    assert wait_for_sentence(page, "^parts.obj") == "parts.obj is a cover by convex parts of stairs: every claim holds"
+    drop(page, ["two.obj", parts[:parts.rindex("o ")]])
+    assert wait_for_sentence(page, "^two.obj").startswith("two.obj is not a cover by convex parts of stairs: ")
+    assert rows(page)["covers-points"].startswith("violated: "), rows(page)
+    drop(page, ["one.obj", parts[:parts.index("o ", 1)]])
+    assert wait_for_sentence(page, "^one.obj").startswith("one.obj is not the hull of stairs: ")
     if screenshots:
         time.sleep(2)
         page.screenshot(screenshots / "parts.png", whole=False)

@@ -162,6 +162,13 @@ export interface Lesson {
   /** Chapters that a large shape has not, with reasons. */
   left_out: { chapter: string; why: string }[];
 }
+export interface ReadMesh {
+  points: Float64Array;
+  triangles: number[][];
+  notes: string[];
+  /** Of a file with several: to be judged as parts, `{parts: mesh.objects}`. */
+  objects?: { name: string; vertices: Float64Array; faces: number[][] }[];
+}
 export interface Claim {
   code: string;
   status: string;
@@ -219,7 +226,7 @@ export interface Convexact {
   decompose(mesh: Mesh, options?: DecomposeOptions): Promise<Decomposition>;
   teach(shape: Shape, options?: TeachOptions): Promise<Lesson>;
   teach(shape: Points | Mesh, options: PlaneLessonOptions): Promise<Lesson>;
-  read(bytes: Uint8Array, name: string): Promise<{ points: Float64Array; triangles: number[][]; notes: string[] } | { planes: Exact[][] }>;
+  read(bytes: Uint8Array, name: string): Promise<ReadMesh | { planes: Exact[][] }>;
   conform(
     program: (points: Float64Array) => Candidate | Promise<Candidate>,
     options?: { asks?: "hull" | "enclosure"; only?: string[]; level?: 1 | 2 | 3; tolerance?: string },

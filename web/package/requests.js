@@ -95,6 +95,16 @@ function withBytes(files) {
   }
 }
 
+// Each object of a file as a solid with corners of its own.
+function solids(objects, points, triangles) {
+  return objects.map(({name, first, end, loose}) => {
+    const faces = triangles.slice(first, end);
+    const used = [...new Set([...faces.flat(), ...loose])], place = new Map(used.map((point, k) => [point, k]));
+    const vertices = Float64Array.from(used.flatMap(point => Array.from(points.subarray(3 * point, 3 * point + 3))));
+    return {name, vertices, faces: faces.map(face => face.map(point => place.get(point)))};
+  });
+}
+
 const flat = table => table && Float64Array.from(table.flat(), toNumber);
 
 /** The answer as an object: tables of doubles as Float64Array, exact numbers as they are spelled. */
@@ -103,6 +113,7 @@ export function parsed(kind, text) {
   if (answer.error) return answer;
   withBytes(answer.files);
   if (kind === "read" && answer.points) answer.points = flat(answer.points);
+  if (answer.objects) answer.objects = solids(answer.objects, answer.points, answer.triangles);
   if (kind === "hull") answer.points = flat(answer.vertices);
   if (kind === "simplify" && !answer.inner) answer.planes = flat(answer.output.planes_in_doubles);
   if (kind === "verify") {

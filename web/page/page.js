@@ -151,14 +151,28 @@ async function enclose(cx) {
   show(found.picture);
 }
 
+// Several objects are taken for parts of a mesh, until something else is asked.
+function takeCandidate(name, shape) {
+  candidate = {name, shape};
+  const areParts = shape.objects !== undefined && input.shape.triangles?.length > 0;
+  $("asks").querySelector("[value=parts]").hidden = !areParts;
+  if (areParts !== ($("asks").value === "parts")) $("asks").value = areParts ? "parts" : "hull";
+  $("judge").querySelector("button").disabled = false;
+}
+
+function ask(cx) {
+  const {points, triangles, planes, objects} = candidate.shape, asks = $("asks").value;
+  if (asks === "parts") return cx.verify(input.shape, {parts: objects});
+  return cx.verify(input.shape, planes ? {planes} : {vertices: points, faces: triangles}, {...drawn(), asks, tightness: true});
+}
+
 async function judge(cx) {
-  const solid = candidate.shape.planes ? candidate.shape : {vertices: candidate.shape.points, faces: candidate.shape.triangles};
-  const verdict = await cx.verify(input.shape, solid, {...drawn(), asks: $("asks").value, tightness: true});
+  const verdict = await ask(cx);
   const is = $("asks").selectedOptions[0].textContent;
   say(`${candidate.name} is ${verdict.ok ? "" : "not "}${is} of ${input.name}: ${verdict.sentence}`, "", verdict.ok ? "good" : "bad");
   showNumbers(verdict.claims.map(claim => [claim.code, `${claim.status}${claim.sentence ? `: ${claim.sentence}` : ""}`]));
   showDownloads({});
-  show(verdict.picture);
+  if (verdict.picture) show(verdict.picture);
 }
 
 async function decompose(cx) {
@@ -223,8 +237,7 @@ function takeFile(file, asCandidate) {
       candidate = undefined;
       return showHull(cx);
     }
-    candidate = {name: file.name, shape};
-    $("judge").querySelector("button").disabled = false;
+    takeCandidate(file.name, shape);
     return judge(cx);
   });
 }
@@ -252,8 +265,7 @@ const examples = {
   ball: () => take("ball", ball()),
   stairs: () => take("stairs", stairs()),
   wrong: () => run("Judging", cx => {
-    candidate = {name: "a hull that misses a point", shape: {points: ball().points.slice(3)}};
-    $("judge").querySelector("button").disabled = false;
+    takeCandidate("a hull that misses a point", {points: ball().points.slice(3)});
     return judge(cx);
   }),
 };
