@@ -94,16 +94,26 @@ class JoinedHulls {
   }
 
   // What holds pieces that were refused is refused.
+  bool is_refused(const PieceSet& pieces) const {
+    return std::any_of(refused_.begin(), refused_.end(), [&](const PieceSet& set) {
+      return set.size() <= pieces.size() &&
+             std::includes(pieces.begin(), pieces.end(), set.begin(), set.end());
+    });
+  }
+
   bool allows(Joined& joined) {
     if (joined.is_allowed) return *joined.is_allowed;
-    const PieceSet& own = joined.pieces;
-    const bool is_hopeless = std::any_of(refused_.begin(), refused_.end(), [&](const auto* set) {
-      return set->size() <= own.size() &&
-             std::includes(own.begin(), own.end(), set->begin(), set->end());
-    });
+    const bool is_hopeless = is_refused(joined.pieces);
     joined.is_allowed = !is_hopeless && limit_.allows_near(joined.vertices, watch_);
-    if (!is_hopeless && !*joined.is_allowed) refused_.push_back(&joined.pieces);
+    if (!is_hopeless && !*joined.is_allowed) refused_.push_back(joined.pieces);
     return *joined.is_allowed;
+  }
+
+  // Of a hull of several pieces that is refused, no more than that is kept: exchanges ask for many.
+  void forget_refused(const PieceSet& pieces) {
+    const auto known = hulls_.find(pieces);
+    if (pieces.size() > 1 && known != hulls_.end() && known->second->is_allowed == false)
+      hulls_.erase(known);
   }
 
   // Whether two hulls may be parts together.
@@ -133,7 +143,7 @@ class JoinedHulls {
   const Watch& watch_;
   std::map<std::pair<const Joined*, const Joined*>, bool> apart_;
   std::map<PieceSet, std::unique_ptr<Joined>> hulls_;
-  std::vector<const PieceSet*> refused_;
+  std::vector<PieceSet> refused_;
 };
 
 class ReachMerger {
@@ -302,8 +312,13 @@ class ReachMerger {
         --tries_;
         PieceSet others = own;
         std::erase(others, away);
+        const PieceSet wanted = united(others, {piece});
+        if (hulls_.is_refused(wanted)) continue;
         Arrangement next = in;
-        if (!replace(k, hulls_.of(united(others, {piece})), next)) continue;
+        if (!replace(k, hulls_.of(wanted), next)) {
+          hulls_.forget_refused(wanted);
+          continue;
+        }
         if (!place(away, next, entered)) continue;
         in = std::move(next);
         return true;

@@ -17,10 +17,11 @@ Measured combine(const Measured& a, int sign, const Measured& b) {
   return {sign > 0 ? a.bounds + b.bounds : a.bounds - b.bounds, std::nullopt};
 }
 
-Measured volume_of_parts(const std::vector<ConvexPart>& parts, bool exact) {
+Measured volume_of_parts(const std::vector<ConvexPart>& parts, bool exact, const Watch& watch) {
   Measured total{Enclosure(kMeasureBits), exact ? std::optional<Rational>(0) : std::nullopt};
   for (const ConvexPart& part : parts) {
     if (!part.solid) continue;
+    watch.ask();
     Measured own{enclose_volume(*part.solid, kMeasureBits), std::nullopt};
     if (exact) own.exact = volume(*part.solid);
     total = combine(total, 1, own);
@@ -39,10 +40,11 @@ DecompositionMeasures measure_volumes(const Surface& surface, const std::vector<
                                       bool hold_solid) {
   DecompositionMeasures found;
   if (wanted == PartMeasures::All) {
-    found.union_volume = log.run("union's volume", [&] {
-      return union_volume(parts, kMeasureBits, exact, log.watch("union's volume"));
+    const Watch watch = log.watch("union's volume");
+    log.run("union's volume", [&] {
+      found.union_volume = union_volume(parts, kMeasureBits, exact, watch);
+      found.overlap_volume = combine(volume_of_parts(parts, exact, watch), -1, *found.union_volume);
     });
-    found.overlap_volume = combine(volume_of_parts(parts, exact), -1, *found.union_volume);
     const auto solids = std::count_if(
         parts.begin(), parts.end(), [](const ConvexPart& part) { return part.solid.has_value(); });
     if (solids < 2) found.overlap_volume->bounds = Enclosure(kMeasureBits);  // 0
@@ -103,11 +105,11 @@ const Rational& VolumeLimit::exact_solid(const Watch& watch) const {
 
 DecompositionExcess VolumeLimit::excess_of(const std::vector<ConvexPart>& parts,
                                            const Watch& watch) const {
-  const Enclosure total = volume_of_parts(parts, false).bounds;
+  const Enclosure total = volume_of_parts(parts, false, watch).bounds;
   DecompositionExcess found{share_, total / solid_ - Enclosure(Integer(1), kMeasureBits), true};
   if (found.share.high() <= share_) return found;
   found.holds = found.share.low() <= share_ &&
-                *volume_of_parts(parts, true).exact <= (1 + share_) * exact_solid(watch);
+                *volume_of_parts(parts, true, watch).exact <= (1 + share_) * exact_solid(watch);
   return found;
 }
 

@@ -4,6 +4,7 @@
 #include "convexact/error.hpp"
 
 namespace convexact {
+
 bool uses_reach(const DecomposeRequest& request) {
   return cuts(request) || request.guard == ReachUse::Reach || request.merge == ReachUse::Reach;
 }

@@ -40,7 +40,7 @@ _REACH = [('check', 'wrong_reach_test,clear_proof_test,placed_test'), ('check', 
 _SIMPLIFY = [('simplify', 'step_verification_test,whole_dual_test'), ('simplify', '')]
 _LP = [('lp', 'certificates_test,chebyshev_center_test,feasibility_test'), ('lp', '')]
 FILES = {
-    'src/check/convexact_check.cpp': ((CLAIMS, REFUSALS, SKIPS), _CHECK),
+    'src/check/run.hpp': ((CLAIMS, REFUSALS, SKIPS), _CHECK),
     'src/check/text.hpp': ((CLAIMS,), _CHECK),
     'src/check/mesh_file.hpp': ((CLAIMS, REFUSALS), _CHECK),
     'src/check/decomposition.hpp': ((CLAIMS, REFUSALS, SKIPS), _DECOMPOSITION),
@@ -66,7 +66,7 @@ FILES = {
 REFUSING = {('src/fast/checks.cpp', 'is_beyond'), ('src/stored/containment.cpp', 'is_outside'),
             ('src/hull/check_hull.cpp', 'is_in_cone')}
 NO_CONDITIONS = {
-    'src/check/convexact_check.cpp': ['edge.first == i || edge.second == i'],
+    'src/check/run.hpp': ['edge.first == i || edge.second == i'],
     'src/fast/checks.cpp': ['std::pair(a.from, a.to) < std::pair(b.from, b.to)',
                             'a.from == b.from', 'a.to == b.to'],
     'src/simplify/step_verification.cpp': ['holds'],

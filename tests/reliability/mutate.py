@@ -28,7 +28,7 @@ _SIGNS = ['fast_plane_filter', 'fast', 'fast_audit', 'fast_agreement_sample', 'f
 GROUPS = {
     'checker': {'src/check/' + name: ['check', 'check_mutated']
                 for name in ('convexact_check.cpp', 'decomposition.hpp', 'exact.hpp', 'mesh_file.hpp', 'partition.hpp', 'reach.hpp',
-                          'root_sum.hpp', 'surface.hpp', 'text.hpp')},
+                          'root_sum.hpp', 'run.hpp', 'surface.hpp', 'text.hpp')},
     'predicates': {
         _GEO + 'orient3d.cpp': ['geometry', 'hull'],
         _GEO + 'orient3d_stages.hpp': ['geometry', 'hull'],

@@ -29,6 +29,7 @@ _OVERLAY = ['src/overlay/' + name for name in (
 _EXPANSION = ['tests/number/expansion_test.cpp', *_ORIENT]
 UNITS = {
     'src/check/convexact_check.cpp': ['tests/check/checker.cpp'],
+    'src/check/run.hpp': ['tests/check/checker.cpp'],
     'src/check/mesh_file.hpp': ['tests/check/checker.cpp'],
     'src/check/reach.hpp': ['tests/check/checker.cpp'],
     'src/check/placed.hpp': ['tests/check/checker.cpp'],
