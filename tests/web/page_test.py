@@ -132,6 +132,9 @@ def check_parts(page, screenshots):
     wait_for_sentence(page, "^stairs: a hull")
     page.evaluate('document.querySelector("#decompose button").click()')
     assert wait_for_sentence(page, "convex parts") == "3 convex parts hold stairs"
+    if screenshots:
+        time.sleep(2)
+        page.screenshot(screenshots / "parts.png", whole=False)
     parts = saved(page, "stairs-parts.obj")
     assert len(re.findall("^o ", parts, re.M)) == 3
     # Dropped again they are judged as parts; without the last of them something is left out.
@@ -142,9 +145,6 @@ def check_parts(page, screenshots):
     assert rows(page)["covers-points"].startswith("violated: "), rows(page)
     drop(page, ["one.obj", parts[:parts.index("o ", 1)]])
     assert wait_for_sentence(page, "^one.obj").startswith("one.obj is not the hull of stairs: ")
-    if screenshots:
-        time.sleep(2)
-        page.screenshot(screenshots / "parts.png", whole=False)
 
 
 def check_files_of_bytes(page):
