@@ -30,9 +30,11 @@ struct PartitionLeaf {
   std::uint32_t node;
   /// The triangles of which it holds a piece, ascending. Each piece with an area is in one leaf.
   std::vector<TriangleId> triangles;
-  /// The hull of these pieces and of the region's corners inside of the solid, exactly. It holds
-  /// all that the interiors of the solid and of the region have in common.
-  ConvexPart hull;
+  /// The extreme points of the hull of these pieces and of the region's corners inside of the
+  /// solid, exactly. The hull holds all that the interiors of the solid and of the region have in
+  /// common.
+  PointSet corners;
+  bool is_flat = false;   ///< Whether that hull has no volume.
   bool is_within = true;  ///< Proven to be within the limit.
 };
 

@@ -4,6 +4,8 @@
 #include <memory>
 #include <set>
 
+#include "convexact/hull.hpp"
+#include "convexact/overlay.hpp"
 #include "convexact/partition.hpp"
 #include "cut/choose_plane.hpp"
 #include "cut/notches.hpp"
@@ -214,13 +216,18 @@ class Cutter {
   void add_leaf(std::uint32_t n) {
     options_.watch.ask();
     const Leaf& leaf = *leaves_[n];
-    PartitionLeaf& made = made_.leaves.emplace_back(PartitionLeaf{n, {}, {}, is_within_[n]});
+    PartitionLeaf& made = made_.leaves.emplace_back(PartitionLeaf{n, {}, {}, false, is_within_[n]});
     for (const Piece& piece : leaf.pieces) made.triangles.emplace_back(piece.triangle);
-    made.hull = exact_hull(leaf);
+    const PointSet points = outer_points(leaf);
+    const HullOutcome outcome = convex_hull(points);
+    const auto* hull = std::get_if<Hull>(&outcome);
+    made.is_flat = hull == nullptr;
+    made.corners = hull != nullptr ? subset(points, hull->vertices)
+                                   : PointSet(convex_part(points, options_.watch).vertices);
   }
 
-  // Points that are certainly inside of it are left out.
-  ConvexPart exact_hull(const Leaf& leaf) const {
+  // Without those that are certainly inside of the hull of all.
+  PointSet outer_points(const Leaf& leaf) const {
     constexpr double kInside = 0x1p-40;
     const NearSolid solid = near_solid(near_points(leaf));
     std::vector<RationalPoint> corners;
@@ -233,7 +240,7 @@ class Cutter {
           });
       if (!is_inside) corners.push_back(points_.exact(id));
     }
-    return convex_part(PointSet(std::move(corners)), options_.watch);
+    return PointSet(std::move(corners));
   }
 
   const Winding* winding_;

@@ -62,7 +62,7 @@ void prove_leaves(Decomposition& made, const Watch& watch) {
     for (const std::uint32_t leaf : part.leaves) {
       if (is_held[leaf]) throw Error(ErrorCode::Internal, "a leaf has two parts");
       is_held[leaf] = true;
-      require_held(part, PointSet(partition.leaves[leaf].hull.vertices), watch);
+      require_held(part, partition.leaves[leaf].corners, watch);
       for (const TriangleId t : partition.leaves[leaf].triangles) {
         std::uint32_t& owner = made.owner[t.index()];
         is_shared[t.index()] = is_shared[t.index()] || (owner != kNoOwner && owner != k);

@@ -104,7 +104,8 @@ class PartCutter {
     std::vector<PointSet> stored;
     for (const PartitionLeaf& leaf : partition.leaves) {
       watch.at(stored.size(), partition.leaves.size());
-      stored.push_back(stored_corners(leaf.hull, squared_diameter_, request_.precision, watch));
+      stored.push_back(
+          stored_corners(leaf.corners, leaf.is_flat, squared_diameter_, request_.precision, watch));
     }
     return stored;
   }

@@ -254,9 +254,11 @@ class Decomposer {
     std::set<std::array<double, 3>> given;
     for (const Point& x : made_.surface.points.doubles()) given.insert({x[0], x[1], x[2]});
     for (const PartitionLeaf& leaf : std::get<Partition>(made_.origin).leaves) {
-      for (const RationalPoint& v : leaf.hull.vertices) {
-        const Point x = nearest(v);
-        if (to_rational(x) == v) given.insert({x[0], x[1], x[2]});
+      for (std::size_t k = 0; k < leaf.corners.size(); ++k) {
+        const Point& x = leaf.corners.doubles()[k];
+        if (leaf.corners.is_binary() || to_rational(x) == leaf.corners[PointId(k)]) {
+          given.insert({x[0], x[1], x[2]});
+        }
       }
     }
     for (Part& part : made_.parts) {

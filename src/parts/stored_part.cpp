@@ -186,8 +186,9 @@ PointSet stored_points(Making& making, Precision precision) {
 // Every stored part counts as the hull of its points.
 ConvexPart finish(Making& making, Precision precision, const Watch& watch) {
   Part& part = *making.part;
-  part.mesh.points = stored_points(making, precision);
-  ConvexPart stored = convex_part(part.mesh.points, watch);
+  const bool is_as_it_was = part.form == PartForm::Hull;
+  ConvexPart stored =
+      is_as_it_was ? part.hull : convex_part(stored_points(making, precision), watch);
   part.mesh.points = PointSet(stored.vertices);
   part.mesh.polygons = stored.solid->facets;
   part.mesh.parts = {{"", 0, part.mesh.polygons.size()}};
@@ -227,15 +228,15 @@ ConvexPart keep_flat(Part& part, Precision precision) {
 // A corner that is no number of the format is rounded to nearest. Those that are outside of the
 // hull then are rounded away from its middle as well; and those that still are, in all eight ways,
 // which have them in their middle.
-PointSet stored_corners(const ConvexPart& hull, const Rational& squared_diameter,
+PointSet stored_corners(const PointSet& corners, bool is_flat, const Rational& squared_diameter,
                         Precision precision, const Watch& watch) {
-  if (!hull.solid) {
-    const PointSet thick = thicken(hull, squared_diameter, precision);
-    return stored_corners(convex_part(thick, watch), squared_diameter, precision, watch);
+  if (is_flat) {
+    const PointSet thick = thicken(convex_part(corners, watch), squared_diameter, precision);
+    return stored_corners(PointSet(convex_part(thick, watch).vertices), false, squared_diameter,
+                          precision, watch);
   }
-  PointSet corners(hull.vertices);
   if (is_representable(corners, precision)) return corners;
-  const RationalPoint middle = hull.box.middle();
+  const RationalPoint middle = bounding_box(corners).middle();
   const auto round = [&](const RationalPoint& x, const auto& rounding_of) {
     Point y;
     for (int k = 0; k < 3; ++k) y[k] = round_to(precision, x[k], rounding_of(k));
@@ -246,21 +247,21 @@ PointSet stored_corners(const ConvexPart& hull, const Rational& squared_diameter
   };
   std::vector<Point> stored;
   std::vector<PointId> moved;
-  for (const RationalPoint& x : hull.vertices) {
+  for (const PointId p : all_ids(corners)) {
+    const RationalPoint x = corners[p];
     stored.push_back(round(x, [](int) { return Rounding::Nearest; }));
-    if (to_rational(stored.back()) != x) moved.emplace_back(stored.size() - 1);
+    if (to_rational(stored.back()) != x) moved.push_back(p);
   }
   const std::vector<PointId> outside = outside_of_hull(corners, moved, stored, watch);
   for (const PointId p : outside) {
-    const RationalPoint& x = hull.vertices[p.index()];
+    const RationalPoint x = corners[p];
     stored.push_back(
         round(x, [&](int k) { return x[k] < middle[k] ? Rounding::Down : Rounding::Up; }));
   }
   for (const PointId p : outside_of_hull(corners, outside, stored, watch)) {
     for (int way = 0; way < 8; ++way) {
-      stored.push_back(round(hull.vertices[p.index()], [&](int k) {
-        return (way >> k & 1) != 0 ? Rounding::Up : Rounding::Down;
-      }));
+      stored.push_back(round(
+          corners[p], [&](int k) { return (way >> k & 1) != 0 ? Rounding::Up : Rounding::Down; }));
     }
   }
   return PointSet(std::move(stored));

@@ -108,7 +108,9 @@ Json cuts_and_leaves(const Decomposition& decomposition, const Partition& partit
   }
   for (const PartitionLeaf& leaf : partition.leaves) {
     Json corners = Json::array();
-    for (const RationalPoint& v : leaf.hull.vertices) corners.push_back(vector_json(v));
+    for (std::size_t k = 0; k < leaf.corners.size(); ++k) {
+      corners.push_back(vector_json(leaf.corners[PointId(k)]));
+    }
     leaves.push_back({{"node", leaf.node},
                       {"triangles", leaf.triangles},
                       {"corners", std::move(corners)},

@@ -52,13 +52,10 @@ void require_held(const std::string& path, const WrittenPart& written,
                   std::span<const Halfspace> halfspaces) {
   const PointSet owned =
       subset(written.surface->points, points_of(*written.surface, written.part->owns));
-  std::vector<RationalPoint> of_leaves;
   for (const std::uint32_t leaf : written.part->leaves) {
-    const auto& vertices = written.partition->leaves[leaf].hull.vertices;
-    of_leaves.insert(of_leaves.end(), vertices.begin(), vertices.end());
-  }
-  if (count_outside(halfspaces, PointSet(std::move(of_leaves))) > 0) {
-    reject_bytes(path, "misses a corner of a leaf that " + in_quotes(written.name) + " holds");
+    if (count_outside(halfspaces, written.partition->leaves[leaf].corners) > 0) {
+      reject_bytes(path, "misses a corner of a leaf that " + in_quotes(written.name) + " holds");
+    }
   }
   if (count_outside(halfspaces, owned) == 0) return;
   reject_bytes(path, "misses a corner of a triangle that " + in_quotes(written.name) + " owns");

@@ -34,13 +34,13 @@ struct Cut {
   }
   std::vector<ConvexPart> hulls() const {
     std::vector<ConvexPart> list;
-    for (const PartitionLeaf& leaf : partition.leaves) list.push_back(leaf.hull);
+    for (const PartitionLeaf& leaf : partition.leaves) list.push_back(convex_part(leaf.corners));
     return list;
   }
   Rational volumes() const {
     Rational sum = 0;
-    for (const PartitionLeaf& leaf : partition.leaves) {
-      if (leaf.hull.solid) sum += volume(*leaf.hull.solid);
+    for (const ConvexPart& hull : hulls()) {
+      if (hull.solid) sum += volume(*hull.solid);
     }
     return sum;
   }
@@ -56,9 +56,12 @@ void check_promises(const Cut& made) {
   for (const ConvexPart& hull : hulls) boxes.push_back(hull.box);
   ReachLimit limit(made.surface, made.winding ? &*made.winding : nullptr, made.squared_limit,
                    boxes);
-  for (const PartitionLeaf& leaf : made.partition.leaves) {
+  for (std::size_t k = 0; k < hulls.size(); ++k) {
+    const PartitionLeaf& leaf = made.partition.leaves[k];
     CHECK(leaf.is_within);
-    CHECK(limit(leaf.hull).reach == Reach::Within);
+    CHECK(leaf.is_flat == !hulls[k].solid);
+    CHECK(leaf.corners.size() == hulls[k].vertices.size());
+    CHECK(limit(hulls[k]).reach == Reach::Within);
   }
   for (std::size_t a = 0; a < hulls.size(); ++a) {
     for (std::size_t b = a + 1; b < hulls.size(); ++b) {
@@ -71,7 +74,7 @@ void check_promises(const Cut& made) {
       const std::uint32_t above = *made.partition.nodes[n].parent;
       const PartitionNode& node = made.partition.nodes[above];
       const bool is_upper = node.children[1] == n;
-      for (const RationalPoint& x : leaf.hull.vertices) {
+      for (const RationalPoint& x : convex_part(leaf.corners).vertices) {
         const Rational value = (*node.plane)(x);
         CHECK((is_upper ? value >= 0 : value <= 0));
       }
@@ -127,6 +130,12 @@ Mesh scaled(const Mesh& mesh, double factor) {
   return other;
 }
 
+std::vector<RationalPoint> corners_of(const PartitionLeaf& leaf) {
+  std::vector<RationalPoint> corners;
+  for (std::size_t k = 0; k < leaf.corners.size(); ++k) corners.push_back(leaf.corners[PointId(k)]);
+  return corners;
+}
+
 bool same_planes(const Partition& a, const Partition& b) {
   if (a.nodes.size() != b.nodes.size() || a.leaves.size() != b.leaves.size()) return false;
   for (std::size_t n = 0; n < a.nodes.size(); ++n) {
@@ -135,7 +144,7 @@ bool same_planes(const Partition& a, const Partition& b) {
     }
   }
   for (std::size_t k = 0; k < a.leaves.size(); ++k) {
-    if (a.leaves[k].hull.vertices != b.leaves[k].hull.vertices) return false;
+    if (corners_of(a.leaves[k]) != corners_of(b.leaves[k])) return false;
     if (a.leaves[k].triangles != b.leaves[k].triangles) return false;
   }
   return true;
@@ -253,7 +262,7 @@ TEST_CASE("cut: an open surface is covered, and what bounds nothing has no insid
   check_promises(made);
   // Five squares, of which no two have a hull near them.
   CHECK(made.partition.leaves.size() >= 5);
-  for (const PartitionLeaf& leaf : made.partition.leaves) CHECK(leaf.hull.dimension == 2);
+  for (const PartitionLeaf& leaf : made.partition.leaves) CHECK(leaf.is_flat);
 }
 
 TEST_CASE("cut: the exact engine cuts alike" * sweep) {
@@ -305,8 +314,8 @@ TEST_CASE("cut: scale by powers of two, order and repeats change nothing") {
     const Cut other(scaled(mesh, factor), "1/20");
     REQUIRE(other.partition.nodes.size() == made.partition.nodes.size());
     for (std::size_t k = 0; k < made.partition.leaves.size(); ++k) {
-      const auto &a = made.partition.leaves[k].hull.vertices,
-                 &b = other.partition.leaves[k].hull.vertices;
+      const auto a = corners_of(made.partition.leaves[k]),
+                 b = corners_of(other.partition.leaves[k]);
       REQUIRE(a.size() == b.size());
       for (std::size_t v = 0; v < a.size(); ++v) CHECK(a[v] * to_rational(factor) == b[v]);
     }
