@@ -219,14 +219,14 @@ class Cutter {
     PartitionLeaf& made = made_.leaves.emplace_back(PartitionLeaf{n, {}, {}, false, is_within_[n]});
     for (const Piece& piece : leaf.pieces) made.triangles.emplace_back(piece.triangle);
     const PointSet points = outer_points(leaf);
-    const HullOutcome outcome = convex_hull(points);
+    const HullOutcome outcome = convex_hull(points, {.watch = options_.watch});
     const auto* hull = std::get_if<Hull>(&outcome);
     made.is_flat = hull == nullptr;
     made.corners = hull != nullptr ? subset(points, hull->vertices)
                                    : PointSet(convex_part(points, options_.watch).vertices);
   }
 
-  // Without those that are certainly inside of the hull of all.
+  // The points of the leaf but those that are certainly inside of their hull.
   PointSet outer_points(const Leaf& leaf) const {
     constexpr double kInside = 0x1p-40;
     const NearSolid solid = near_solid(near_points(leaf));

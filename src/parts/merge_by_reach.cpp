@@ -63,7 +63,8 @@ bool are_apart(const Joined& a, const Joined& b) {
                      [](const NearSolid::Plane& plane) { return plane.offset >= -kApart; });
 }
 
-// All hulls that were asked for, so that no question is asked twice.
+// The hulls that were asked for, so that no question is asked twice; those that exchanges asked for
+// in vain are forgotten.
 class JoinedHulls {
  public:
   JoinedHulls(std::span<const std::vector<Point>> pieces, ReachLimit& limit, bool keeps_apart,
@@ -109,11 +110,12 @@ class JoinedHulls {
     return *joined.is_allowed;
   }
 
-  // Of a hull of several pieces that is refused, no more than that is kept: exchanges ask for many.
-  void forget_refused(const PieceSet& pieces) {
+  // Drops the hull of several pieces unless it is allowed. Which pieces were refused is still
+  // known. Single pieces stay, since piece() needs them.
+  void forget(const PieceSet& pieces) {
     const auto known = hulls_.find(pieces);
-    if (pieces.size() > 1 && known != hulls_.end() && known->second->is_allowed == false)
-      hulls_.erase(known);
+    if (pieces.size() < 2 || known == hulls_.end()) return;
+    if (known->second->is_allowed != true) hulls_.erase(known);
   }
 
   // Whether two hulls may be parts together.
@@ -316,7 +318,7 @@ class ReachMerger {
         if (hulls_.is_refused(wanted)) continue;
         Arrangement next = in;
         if (!replace(k, hulls_.of(wanted), next)) {
-          hulls_.forget_refused(wanted);
+          hulls_.forget(wanted);
           continue;
         }
         if (!place(away, next, entered)) continue;

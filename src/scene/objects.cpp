@@ -38,10 +38,6 @@ void make_names_distinct(std::vector<SceneObject>& objects, std::size_t first_of
   }
 }
 
-bool is_object(const MeshPart& part) {
-  return part.first_polygon < part.last_polygon || !part.loose.empty();
-}
-
 // The points that a part's polygons use, renumbered in the order of the file; then its loose
 // points.
 SceneObject extract_part(const Mesh& mesh, const MeshPart& part, const std::string& file) {
@@ -109,6 +105,10 @@ SceneObject halfspace_object(const std::string& path, HalfspaceList list) {
           .shape = std::move(list.halfspaces),
           .polygons = {},
           .rows = std::move(rows)};
+}
+
+bool is_object(const MeshPart& part) {
+  return part.first_polygon < part.last_polygon || !part.loose.empty();
 }
 
 std::size_t objects_in(const Mesh& mesh) {

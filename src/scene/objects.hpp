@@ -10,7 +10,9 @@
 
 namespace convexact {
 
-/// How many parts of the mesh have faces or loose points.
+/// Whether a part has faces or loose points.
+[[nodiscard]] bool is_object(const MeshPart& part);
+/// How many parts of the mesh have them.
 [[nodiscard]] std::size_t objects_in(const Mesh& mesh);
 
 /// Each of them: the points that its faces use, then its loose points.

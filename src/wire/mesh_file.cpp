@@ -9,6 +9,7 @@
 #include "convexact/io.hpp"
 #include "io/file_kind.hpp"
 #include "io/json.hpp"
+#include "scene/objects.hpp"
 
 namespace convexact {
 namespace {
@@ -36,6 +37,7 @@ void append_rows(std::string& text, const char* key, const Rows& rows, const App
 Json objects_of(const Mesh& mesh) {
   Json objects = Json::array();
   for (const MeshPart& part : mesh.parts) {
+    if (!is_object(part)) continue;
     objects.push_back({{"name", part.name},
                        {"first", part.first_polygon},
                        {"end", part.last_polygon},
@@ -59,7 +61,7 @@ std::string mesh_text(const Mesh& mesh) {
   }
   text += ',';
   append_rows(text, "triangles", mesh.polygons, append);
-  if (mesh.parts.size() > 1) text += ",\"objects\":" + write_json(objects_of(mesh));
+  if (objects_in(mesh) > 1) text += ",\"objects\":" + write_json(objects_of(mesh));
   return text + ",\"notes\":" + write_json(Json(mesh.notes)) + "}";
 }
 

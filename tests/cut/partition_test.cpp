@@ -46,6 +46,12 @@ struct Cut {
   }
 };
 
+std::vector<RationalPoint> corners_of(const PartitionLeaf& leaf) {
+  std::vector<RationalPoint> corners;
+  for (std::size_t k = 0; k < leaf.corners.size(); ++k) corners.push_back(leaf.corners[PointId(k)]);
+  return corners;
+}
+
 // The promises of every partition.
 void check_promises(const Cut& made) {
   const std::vector<ConvexPart> hulls = made.hulls();
@@ -74,7 +80,7 @@ void check_promises(const Cut& made) {
       const std::uint32_t above = *made.partition.nodes[n].parent;
       const PartitionNode& node = made.partition.nodes[above];
       const bool is_upper = node.children[1] == n;
-      for (const RationalPoint& x : convex_part(leaf.corners).vertices) {
+      for (const RationalPoint& x : corners_of(leaf)) {
         const Rational value = (*node.plane)(x);
         CHECK((is_upper ? value >= 0 : value <= 0));
       }
@@ -128,12 +134,6 @@ Mesh scaled(const Mesh& mesh, double factor) {
   Mesh other = mesh;
   other.points = PointSet(points);
   return other;
-}
-
-std::vector<RationalPoint> corners_of(const PartitionLeaf& leaf) {
-  std::vector<RationalPoint> corners;
-  for (std::size_t k = 0; k < leaf.corners.size(); ++k) corners.push_back(leaf.corners[PointId(k)]);
-  return corners;
 }
 
 bool same_planes(const Partition& a, const Partition& b) {

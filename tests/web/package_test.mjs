@@ -66,18 +66,21 @@ const claims = {
     assert.ok((await cx.verify(points, mesh, {asks: "enclosure"})).ok);
   },
   "the objects of a file are parts of its mesh": async () => {
-    // Two cubes side by side; a point that no face uses is of the second.
+    // Two cubes side by side; a point that no face uses is of the second, and no part without it holds all.
     const corners = x => [0, 1, 2, 3, 4, 5, 6, 7].map(k => `v ${x + (k & 1)} ${k >> 1 & 1} ${k >> 2}\n`).join("");
     const faces = n => [[1, 3, 4, 2], [5, 6, 8, 7], [1, 2, 6, 5], [3, 7, 8, 4], [1, 5, 7, 3], [2, 4, 8, 6]]
       .map(face => `f ${face.map(k => k + n).join(" ")}\n`).join("");
-    const text = `o a\n${corners(0)}${faces(0)}o b\n${corners(1)}v 1.5 0.5 0.5\n${faces(8)}`;
+    const text = `o a\n${corners(0)}${faces(0)}o b\n${corners(1)}v 2.5 0.5 0.5\n${faces(8)}`;
     const mesh = await cx.read(new TextEncoder().encode(text), "two.obj"), [a, b] = mesh.objects;
     assert.deepEqual([mesh.objects.length, a.name, b.name, a.vertices.length, b.vertices.length], [2, "a", "b", 24, 27]);
     assert.deepEqual([Math.max(...a.vertices.filter((_, k) => k % 3 === 0)), Math.max(...b.faces.flat())], [1, 7]);
-    assert.ok((await cx.verify(mesh, {parts: mesh.objects})).ok);
+    const judged = await cx.verify(mesh, {parts: mesh.objects});
+    assert.equal(judged.claims.find(claim => claim.code === "covers-surface").status, "holds");
     const alone = await cx.verify(mesh, {parts: [a]});
     assert.equal(alone.claims.find(claim => claim.code === "covers-points").status, "violated");
-    assert.equal((await cx.read(new TextEncoder().encode(corners(0) + faces(0)), "one.obj")).objects, undefined);
+    const one = await cx.read(new TextEncoder().encode(corners(0) + faces(0)), "one.obj");
+    assert.deepEqual([one.objects.length, one.objects[0].vertices.length], [1, 24]);
+    assert.ok((await cx.verify(one, {parts: one.objects})).ok);
   },
   "STL and GLB are bytes, and hold every point": async () => {
     const points = Float64Array.from({length: 90}, (_, k) => Math.sin(k * k));

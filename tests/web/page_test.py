@@ -140,6 +140,12 @@ def check_parts(page, screenshots):
     # Dropped again they are judged as parts; without the last of them something is left out.
     drop(page, ["parts.obj", parts])
     assert wait_for_sentence(page, "^parts.obj") == "parts.obj is a cover by convex parts of stairs: every claim holds"
+    assert page.evaluate('document.getElementById("picture").srcdoc.includes("stairs")')
+    page.evaluate("""(asks => { asks.value = "enclosure"; asks.dispatchEvent(new Event("change")); })(document.getElementById("asks"))""")
+    drop(page, ["parts.obj", parts])
+    assert wait_for_sentence(page, "^parts.obj is an") == "parts.obj is an enclosure of stairs: every claim holds"
+    page.evaluate('document.querySelector("[data-example=stairs]").click()')
+    wait_for_sentence(page, "^stairs: a hull")
     drop(page, ["two.obj", parts[:parts.rindex("o ")]])
     assert wait_for_sentence(page, "^two.obj").startswith("two.obj is not a cover by convex parts of stairs: ")
     assert rows(page)["covers-points"].startswith("violated: "), rows(page)

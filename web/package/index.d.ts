@@ -166,8 +166,8 @@ export interface ReadMesh {
   points: Float64Array;
   triangles: number[][];
   notes: string[];
-  /** Of a file with several: to be judged as parts, `{parts: mesh.objects}`. */
-  objects?: { name: string; vertices: Float64Array; faces: number[][] }[];
+  /** Of most formats one: to be judged as parts, `{parts: mesh.objects}`. */
+  objects: { name: string; vertices: Float64Array; faces: number[][] }[];
 }
 export interface Claim {
   code: string;

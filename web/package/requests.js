@@ -112,8 +112,10 @@ export function parsed(kind, text) {
   const answer = typeof text === "string" ? JSON.parse(text) : text;
   if (answer.error) return answer;
   withBytes(answer.files);
-  if (kind === "read" && answer.points) answer.points = flat(answer.points);
-  if (answer.objects) answer.objects = solids(answer.objects, answer.points, answer.triangles);
+  if (kind === "read" && answer.points) {
+    const {triangles, objects} = answer, points = answer.points = flat(answer.points);
+    answer.objects = objects ? solids(objects, points, triangles) : [{name: "", vertices: points, faces: triangles}];
+  }
   if (kind === "hull") answer.points = flat(answer.vertices);
   if (kind === "simplify" && !answer.inner) answer.planes = flat(answer.output.planes_in_doubles);
   if (kind === "verify") {

@@ -103,16 +103,23 @@ $("cancel").onclick = async () => (await started).cancel();
 // --- the shape and what is asked of it
 
 let input, candidate;
+let isChosen = false;  // what is asked of the candidate, by hand
 // GLB is binary32, which other files are not: a run of its own, for those who want it.
 const glb = (name, ask) => ({[name]: async cx => (await ask(cx, {files: [name]})).files[name]});
 const stem = () => input.name.replace(/\.[^.]*$/, "");
 const drawn = () => ({picture: true, name: input.name});
 
 function take(name, shape) {
-  input = {name, shape};
-  candidate = undefined;
+  takeInput(name, shape);
   $("candidate").value = "";
   return run(`The hull of ${name}`, showHull);
+}
+
+function takeInput(name, {objects, ...shape}) {
+  input = {name, shape};
+  candidate = undefined;
+  isChosen = false;
+  offerParts(false);
 }
 
 async function showHull(cx) {
@@ -125,7 +132,7 @@ async function showHull(cx) {
     ["edges", hull.edges], ["volume", hull.volume.decimal], ["area", hull.area.decimal], ["mean width", hull.mean_width.decimal],
     ["diameter of the box", hull.diameter.decimal]]);
   showDownloads({...hull.files, ...glb(`${stem()}-hull.glb`, (cx, more) => cx.hull(shape, {measures: [], ...more}))});
-  show(hull.picture);
+  show(input.picture = hull.picture);
   $("faces").max = facets;
   $("faces").value = Math.min(18, facets);
   $("count").textContent = $("faces").value;
@@ -151,13 +158,18 @@ async function enclose(cx) {
   show(found.picture);
 }
 
-// Several objects are taken for parts of a mesh, until something else is asked.
+// Several objects are taken for parts of a mesh with faces, unless something else was chosen.
 function takeCandidate(name, shape) {
   candidate = {name, shape};
-  const areParts = shape.objects !== undefined && input.shape.triangles?.length > 0;
-  $("asks").querySelector("[value=parts]").hidden = !areParts;
-  if (areParts !== ($("asks").value === "parts")) $("asks").value = areParts ? "parts" : "hull";
+  offerParts(shape.objects?.length > 1 && input.shape.triangles?.length > 0);
   $("judge").querySelector("button").disabled = false;
+}
+
+function offerParts(areParts) {
+  const option = $("asks").querySelector("[value=parts]"), wereParts = $("asks").value === "parts";
+  option.hidden = option.disabled = !areParts;
+  if (areParts && !isChosen) $("asks").value = "parts";
+  if (!areParts && wereParts) $("asks").value = "hull";
 }
 
 function ask(cx) {
@@ -172,7 +184,7 @@ async function judge(cx) {
   say(`${candidate.name} is ${verdict.ok ? "" : "not "}${is} of ${input.name}: ${verdict.sentence}`, "", verdict.ok ? "good" : "bad");
   showNumbers(verdict.claims.map(claim => [claim.code, `${claim.status}${claim.sentence ? `: ${claim.sentence}` : ""}`]));
   showDownloads({});
-  if (verdict.picture) show(verdict.picture);
+  show(verdict.picture ?? input.picture);  // of parts there is none
 }
 
 async function decompose(cx) {
@@ -233,8 +245,7 @@ function takeFile(file, asCandidate) {
   return run(`Reading ${file.name}`, async cx => {
     const shape = await read(cx, file);
     if (!asCandidate) {
-      input = {name: file.name, shape};
-      candidate = undefined;
+      takeInput(file.name, shape);
       return showHull(cx);
     }
     takeCandidate(file.name, shape);
@@ -274,6 +285,7 @@ for (const button of document.querySelectorAll("[data-example]")) button.onclick
 for (const button of document.querySelectorAll("[data-lesson]")) button.onclick = () => openLesson(button.dataset.lesson);
 $("shape").onchange = () => takeFile($("shape").files[0], false);
 $("candidate").onchange = () => takeFile($("candidate").files[0], true);
+$("asks").onchange = () => { isChosen = true; };
 $("faces").oninput = () => { $("count").textContent = $("faces").value; };
 $("faces").onchange = () => run("Removing halfspaces", enclose);
 for (const [form, doing, job] of [["enclose", "Removing halfspaces", enclose], ["judge", "Judging", judge], ["decompose", "Cutting", decompose],
