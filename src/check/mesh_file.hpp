@@ -222,9 +222,14 @@ class MeshReader {
   }
 
   // x y z on each line; further numbers are not looked at.
+  // x y z and more numbers, which are not looked at. Other programs take a line with anything else
+  // for the names of columns, or separate numbers otherwise.
   void read_xyz() {
     Lines lines(bytes_, '#');
-    for (WordList words; !(words = next(lines)).empty();) add_point(words, 0);
+    for (WordList words; !(words = next(lines)).empty();) {
+      add_point(words, 0);
+      for (std::size_t k = 3; k < words.size(); ++k) (void)decimal(words[k], decimals_);
+    }
   }
 
   // Binary if it has 84 + 50 n bytes, where bytes 80 to 83 hold n; or more, if there is a byte 0,

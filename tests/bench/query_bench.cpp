@@ -113,7 +113,7 @@ void rays(benchmark::State& state, const PointSet& points, std::size_t faces) {
 // Whether lines hit, in doubles first.
 void lines(benchmark::State& state, const PointSet& points, std::size_t faces) {
   const QuerySolid made = solid_for_queries(points, faces);
-  const ProbeFrame frame = frame_around(made.solid, made.solid);
+  const ProbeFrame frame = probe_frame(made.solid, made.solid);
   const ProbedSolid probed(made.solid, frame);
   Random random(2);
   std::vector<ProbeLine> list;

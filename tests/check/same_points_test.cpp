@@ -110,6 +110,9 @@ TEST_CASE("same points: order and repeats say nothing, one point more or less do
 TEST_CASE("same points: OFF, PLY, STL and XYZ, as text and as bytes (#13)") {
   const std::string rows = "0 0 0\n8 0 0\n0 8 0\n9 0 8\n";
   CHECK(verdict_on("a.xyz", "# four\n" + rows, 9.0) == 0);
+  CHECK(verdict_on("a.xyz", "0 0 0 0.5\n8 0 0 1\n0 8 0 1\n9 0 8 1\n", 9.0) == 0);
+  // Names of columns, as convexact reads it, so that the file has three points.
+  CHECK(verdict_on("a.xyz", "0 0 0 e;\n8 0 0\n0 8 0\n9 0 8\n", 9.0) == 3);
   CHECK(verdict_on("a.OFF", "OFF # text\n4 0 0\n" + rows, 9.0) == 0);
   CHECK(verdict_on("a.off", "COFF 4 0\n" + rows, 9.0) == 0);
   CHECK(verdict_on("a.off", "OFF 5 0 0\n" + rows, 9.0) == 3);

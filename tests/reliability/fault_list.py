@@ -304,6 +304,7 @@ FAULTS = [
     (SKIP, 'reach/inner_part', '  if (!(inside > 2 * kDepth + kReachError)) return {};\n', '', 'reach'),
     (SKIP, 'reach/clear_point', 'cells.is_outside(c)};', 'false};', 'reach'),
     (SKIP, 'reach/may_run_through', 'if (at_a <= 0) kept.push_back(a);', '', 'reach'),
+    (SKIP, 'check/read_xyz', 'for (std::size_t k = 3; k < words.size(); ++k) (void)decimal(words[k], decimals_);', '', 'check'),
     (SKIP, 'check/cut', 'has_inner = has_inner || at_a < 0;', '', 'check'),
     (SIGN, 'reach/has_no_triangle', '> 2 * kReachError', '> -2 * kDistanceError - 1', 'reach'),
     (TIE, 'reach/are_near_triangle', 'squared <= squared_limit_;', 'squared < squared_limit_;', 'reach'),

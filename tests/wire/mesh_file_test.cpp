@@ -38,7 +38,7 @@ TEST_CASE("mesh file: what has neither faces nor points is no object") {
 
 TEST_CASE("mesh file: halfspaces are planes, and a fault names the file") {
   const json planes = parse_json(shape_in_file("a.txt", "1 0 0 -1/3\n"));
-  CHECK(planes.at("planes") == parse_json("[[3, 0, 0, -1]]"));
+  CHECK(planes.at("planes") == parse_json(R"([["3", "0", "0", "-1"]])"));
   const Error error = error_of([] { return shape_in_file("a.obj", "v 0 0\n"); });
   CHECK(error.code() == ErrorCode::Malformed);
   CHECK(std::string(error.what()).find("a.obj:1: ") == 0);
