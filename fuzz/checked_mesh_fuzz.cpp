@@ -2,7 +2,7 @@
 // Property of checked_mesh: from the bytes of a mesh file or of a list of halfspaces,
 // convexact-check reads the same exact points, faces and rows as the library, which shares no code
 // with it, or both refuse them. The checker alone refuses statements of OBJ that it does not know,
-// and "linearity 0".
+// lines of an XYZ that are more than numbers, and "linearity 0".
 #include "../tests/check/checker.hpp"
 #include "convexact/geometry.hpp"
 #include "convexact/io.hpp"

@@ -22,10 +22,9 @@ namespace convexact {
 
 // ---- The contents of a mesh file, and the formats.
 
-/// A named part of a file: the polygons [first, last) under one `o` or `g` line of an OBJ, or one
-/// `solid` of an STL, or of a mesh that a glTF or COLLADA file places. Other formats have a single
-/// part with an empty name. A part is the points of
-/// its polygons and its loose points.
+/// A named part of a file: the polygons [first, last) under one `o` or `g` line of an OBJ, of one
+/// `solid` of an STL, or of one mesh that a glTF or COLLADA file places. Other formats have a
+/// single part with an empty name. A part is the points of its polygons and its loose points.
 struct MeshPart {
   std::string name;
   std::size_t first_polygon;

@@ -221,9 +221,8 @@ class MeshReader {
     }
   }
 
-  // x y z on each line; further numbers are not looked at.
-  // x y z and more numbers, which are not looked at. Other programs take a line with anything else
-  // for the names of columns, or separate numbers otherwise.
+  // x y z on each line; further numbers are not looked at. A line with anything else has names of
+  // columns to the program, or numbers that are separated otherwise.
   void read_xyz() {
     Lines lines(bytes_, '#');
     for (WordList words; !(words = next(lines)).empty();) {

@@ -59,12 +59,7 @@ class RunProof {
   // The proven facts, in sentences.
   // @throws Failure with its line.
   std::string check() {
-    try {
-      return check_statements();
-    } catch (Failure failure) {
-      failure.where = "line " + std::to_string(words_.line());
-      throw failure;
-    }
+    return with_line(words_, [&] { return check_statements(); });
   }
 
   // (17) The points, or the rows of halfspaces, are those of a file, as sets: neither order nor

@@ -20,12 +20,7 @@ class SurfaceProof {
   // The proven facts, in sentences.
   // @throws Failure with its line.
   std::string check() {
-    try {
-      return check_statements();
-    } catch (Failure failure) {
-      failure.where = "line " + std::to_string(words_.line());
-      throw failure;
-    }
+    return with_line(words_, [&] { return check_statements(); });
   }
 
   // (9) The faces are those of a file. Decimals mean the same in the whole file.

@@ -184,4 +184,15 @@ class Words {
   std::string next_;
 };
 
+// What `prove` returns; a failure gets the line of the word that was taken last.
+template <class Prove>
+std::string with_line(const Words& words, const Prove& prove) {
+  try {
+    return prove();
+  } catch (Failure failure) {
+    failure.where = "line " + std::to_string(words.line());
+    throw failure;
+  }
+}
+
 }  // namespace check
