@@ -184,7 +184,7 @@ async function judge(cx) {
   say(`${candidate.name} is ${verdict.ok ? "" : "not "}${is} of ${input.name}: ${verdict.sentence}`, "", verdict.ok ? "good" : "bad");
   showNumbers(verdict.claims.map(claim => [claim.code, `${claim.status}${claim.sentence ? `: ${claim.sentence}` : ""}`]));
   showDownloads({});
-  show(verdict.picture ?? input.picture);  // of parts there is none
+  show(verdict.picture ?? input.picture ?? "");  // of parts there is none
 }
 
 async function decompose(cx) {
