@@ -170,8 +170,9 @@ struct FilteredCap::ObservedBeyond : Beyond {
 FilteredCap::FilteredCap(const FastDual& dual, const HalfEdgeMesh& mesh, CostMeasure measure,
                          std::uint64_t seed, CostObserver* observer)
     : dual_(dual), mesh_(mesh), measure_(measure), observer_(observer), signs_(dual), seed_(seed) {
-  if (measure != CostMeasure::Volume) metric_.emplace(dual, measure);
-  if (measure == CostMeasure::Area) long_area_.emplace(dual);
+  if (measure == CostMeasure::Volume) return;
+  metric_.emplace(dual, measure);
+  long_metric_.emplace(dual, measure);
 }
 
 void FilteredCap::prepare(HalfspaceId i) {
@@ -217,14 +218,13 @@ CostBounds<double> FilteredCap::in_doubles() {
 }
 
 CostBounds<DoubleDouble> FilteredCap::in_double_doubles() {
-  if (measure_ == CostMeasure::MeanWidth) return bounds_of_doubles();
   long_geometry_.load(*prepared_, ring_.vertices,
                       [&](HalfspaceId v) { return dual_.long_point(v); });
   CostBounds<DoubleDouble> bounds =
-      long_area_ ? long_area_->bounds(long_geometry_, *prepared_, ring_.vertices, triangles_)
-                 : long_cost_.bounds(long_geometry_, triangles_, Roundoff<DoubleDouble>::kUnit);
-  if (long_area_ && bounds.kind == Boundedness::Doubtful) return bounds_of_doubles();
-  if (!long_area_ && !are_close(bounds.lower, bounds.upper)) {
+      long_metric_ ? long_metric_->bounds(long_geometry_, *prepared_, ring_.vertices, triangles_)
+                   : long_cost_.bounds(long_geometry_, triangles_, Roundoff<DoubleDouble>::kUnit);
+  if (long_metric_ && bounds.kind == Boundedness::Doubtful) return bounds_of_doubles();
+  if (!long_metric_ && !are_close(bounds.lower, bounds.upper)) {
     CloseDeterminants determinants(long_geometry_, *prepared_, ring_.vertices, signs_);
     bounds = determinants.widened(close_volume_.six_times(length(ring_), triangles_, determinants));
   }

@@ -11,7 +11,7 @@
 #include "fast/cap_volume.hpp"
 #include "fast/close_determinants.hpp"
 #include "fast/dual.hpp"
-#include "fast/long_area.hpp"
+#include "fast/long_metric.hpp"
 #include "fast/mesh.hpp"
 #include "fast/metric_cost.hpp"
 #include "fast/ring.hpp"
@@ -65,8 +65,8 @@ class FilteredCap {
   /// Quick: bounds from doubles. Never Doubtful if the cap is unbounded, though the upper bound of
   /// a doubtful one is infinite. This function and the next two are about the prepared cap.
   CostBounds<double> in_doubles();
-  /// Sure: bounds of volumes and areas with 85 bits; those of mean widths are no better than
-  /// in_doubles(). Precondition, as for exactly(): the cap is bounded.
+  /// Sure: bounds with 85 bits; of mean widths only where the normals around differ by less than 28
+  /// degrees, elsewhere those of in_doubles(). Precondition, as for exactly(): the cap is bounded.
   CostBounds<DoubleDouble> in_double_doubles();
   /// The cost itself, in the caller's units.
   Cost exactly() const;
@@ -103,8 +103,8 @@ class FilteredCap {
   CapCost<double> cost_;
   CapCost<DoubleDouble> long_cost_;
   CapVolume<CloseDeterminants> close_volume_;
-  std::optional<MetricCost> metric_;   // unless the measure is the volume
-  std::optional<LongArea> long_area_;  // if it is the area
+  std::optional<MetricCost> metric_;  // this and the next unless the measure is the volume
+  std::optional<LongMetric> long_metric_;
 };
 
 /// The factor between the bounds of FilteredCap and costs: 6, 2 or 4 pi.

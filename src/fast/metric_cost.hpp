@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "convexact/cost.hpp"
+#include "fast/angular_excess.hpp"
 #include "fast/cap_volume.hpp"
 #include "fast/dual.hpp"
 #include "fast/mesh.hpp"
@@ -56,8 +57,6 @@ class DualNormals {
 
 // The bounds of areas in an arithmetic of any unit u (Roundoff); metric_cost.cpp has (E2).
 
-/// (E2) The distance of two directions as computed is off by so many u.
-inline constexpr double kChordError = 24;
 /// (E3) The versine 1 - cos theta = chord^2 / 2: off by chord * 24u + (24u)^2 / 2, and rounded by
 /// 4u relative, at most 2 chord u.
 inline double versine_error(double chord, double unit) {
@@ -146,17 +145,6 @@ class MetricCost {
   std::vector<Interval<double>> sides_;
   std::vector<LastingTerm> terms_;
 };
-
-/// sin theta times f of MetricCost, for normals i, x, y: of the differences between them. Where two
-/// normals are nearly opposite, the interval is [0, infinity].
-/// @param to_x, to_y  The differences from normal i; `across` that from x to y. All as computed
-///                    from directions of DualNormals.
-[[nodiscard]] Interval<double> angular_excess(const Triple<double>& to_x,
-                                              const Triple<double>& to_y,
-                                              const Triple<double>& across);
-/// The same as it is computed, for angles of any size; NaN next to opposite normals.
-[[nodiscard]] double rounded_angular_excess(const Triple<double>& to_x, const Triple<double>& to_y,
-                                            const Triple<double>& across);
 
 // Visits the sides of a cap: visit(m, part) for parts of the sum over the roof edges of ring plane
 // m, lambda slack(r, v_m).

@@ -28,18 +28,18 @@ class DoubleDouble {
   static DoubleDouble difference(double a, double b) { return two_sum(a, -b); }
   static DoubleDouble product(double a, double b) { return two_product(a, b); }
 
-  friend DoubleDouble operator-(const DoubleDouble& x) { return {-x.hi_, -x.lo_}; }
-  friend DoubleDouble operator+(const DoubleDouble& x, const DoubleDouble& y) {
+  friend constexpr DoubleDouble operator-(const DoubleDouble& x) { return {-x.hi_, -x.lo_}; }
+  friend constexpr DoubleDouble operator+(const DoubleDouble& x, const DoubleDouble& y) {
     const TwoTerms s = two_sum(x.hi_, y.hi_), t = two_sum(x.lo_, y.lo_);
     const TwoTerms v = fast_two_sum(s.high, s.low + t.high);
     return fast_two_sum(v.high, t.low + v.low);
   }
-  friend DoubleDouble operator-(const DoubleDouble& x, const DoubleDouble& y) { return x + (-y); }
-  friend DoubleDouble operator*(const DoubleDouble& x, const DoubleDouble& y) {
+  friend constexpr DoubleDouble operator-(const DoubleDouble& x, const DoubleDouble& y) { return x + (-y); }
+  friend constexpr DoubleDouble operator*(const DoubleDouble& x, const DoubleDouble& y) {
     const TwoTerms c = two_product(x.hi_, y.hi_);
     return fast_two_sum(c.high, c.low + (x.hi_ * y.lo_ + x.lo_ * y.hi_));
   }
-  friend DoubleDouble operator/(const DoubleDouble& x, const DoubleDouble& y) {
+  friend constexpr DoubleDouble operator/(const DoubleDouble& x, const DoubleDouble& y) {
     const double quotient = x.hi_ / y.hi_;
     const DoubleDouble r = times(y, quotient);
     const double remainder = (x.hi_ - r.hi_) + (x.lo_ - r.lo_);
@@ -53,7 +53,7 @@ class DoubleDouble {
   friend bool operator>(const DoubleDouble& x, const DoubleDouble& y) { return y < x; }
 
  private:
-  static DoubleDouble times(const DoubleDouble& x, double y) {
+  static constexpr DoubleDouble times(const DoubleDouble& x, double y) {
     const TwoTerms c = two_product(x.hi_, y);
     const TwoTerms t = fast_two_sum(c.high, x.lo_ * y);
     return fast_two_sum(t.high, t.low + c.low);

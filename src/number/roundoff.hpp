@@ -20,26 +20,26 @@ struct TwoTerms {
 // a product if, in addition, its error is a multiple of 2^-1074.
 
 /// x + y = high + low exactly. [Knuth1997, sec. 4.2.2]
-inline TwoTerms two_sum(double x, double y) {
+constexpr TwoTerms two_sum(double x, double y) {
   const double high = x + y, y_part = high - x, x_part = high - y_part;
   return {high, (x - x_part) + (y - y_part)};
 }
 
 /// The same for |x| >= |y| or x = 0. [Dekker1971]
-inline TwoTerms fast_two_sum(double x, double y) {
+constexpr TwoTerms fast_two_sum(double x, double y) {
   const double high = x + y;
   return {high, y - (high - x)};
 }
 
 /// A double as the sum of two with 26 significant bits each. [Dekker1971]
-inline TwoTerms split(double x) {
+constexpr TwoTerms split(double x) {
   const double shifted = 0x8000001p0 * x;  // 2^27 + 1
   const double high = shifted - (shifted - x);
   return {high, x - high};
 }
 
 /// x * y = high + low exactly. [Dekker1971]
-inline TwoTerms two_product(double x, double y) {
+constexpr TwoTerms two_product(double x, double y) {
   const double high = x * y;
   const TwoTerms s = split(x), t = split(y);
   const double rest = ((high - s.high * t.high) - s.low * t.high) - s.high * t.low;
