@@ -241,8 +241,9 @@ struct Judged {
   int held = 0;
   double volume = 0;
 
-  void add(const NearSolid& solid, const Point& far) {
-    held += is_within(solid, far, kNear) ? 1 : 0;
+  // @param beyond  How far beyond a plane of the solid `far` may lie.
+  void add(const NearSolid& solid, const Point& far, double beyond) {
+    held += is_within(solid, far, beyond) ? 1 : 0;
     volume += solid.volume;
   }
   friend auto operator<=>(const Judged&, const Judged&) = default;
@@ -261,12 +262,13 @@ NearSolid hull_around(const NearSolid& inner, const std::vector<Point>& points) 
 class PlaneChoice {
  public:
   PlaneChoice(const Leaf& leaf, const Point& far, std::span<const CutPlane> planes,
-              const CutPoints& points, const Winding* winding, std::size_t jobs)
+              const CutPoints& points, const Winding* winding, const PartitionOptions& options)
       : own_(leaf, points),
         far_(far),
         planes_(planes),
         winding_(winding),
-        jobs_(own_.near().size() < kFewForThreads ? 1 : jobs) {
+        cuts_across_(options.cuts_across),
+        jobs_(own_.near().size() < kFewForThreads ? 1 : options.jobs) {
     // Volumes are compared in units of which a billion make the leaf's: those that are equal but
     // for rounding are equal.
     whole_ = hull_around(near_solid(farthest_of(own_.near(), kFew)), own_.near()).volume;
@@ -342,13 +344,14 @@ class PlaneChoice {
     ++made.level;
     made.judged = {};
     made.size = 0;
+    const bool touches = std::abs(planes_[made.plane](far_)) < kNear;
     std::vector<Point> more;
     if (made.level == kLevels) more = own_.new_corners(planes_[made.plane], winding_);
     for (std::size_t k = 0; k < 2; ++k) {
       std::vector<Point>& half = halves[k];
       half.insert(half.end(), more.begin(), more.end());
       NearSolid hull = hull_at(made.level, half, made.hulls[k]);
-      made.judged.add(hull, far_);
+      made.judged.add(hull, far_, touches && cuts_across_ ? -kNear : kNear);
       if (made.level == 1) made.hulls[k] = std::move(hull);
       // What is flat has no volume: then smaller is better.
       if (!(whole_ > 0)) made.size += size_of(half);
@@ -363,6 +366,7 @@ class PlaneChoice {
   const Point& far_;
   std::span<const CutPlane> planes_;
   const Winding* winding_;
+  const bool cuts_across_;
   const std::size_t jobs_;
   const std::vector<Point> directions_ = half_of_directions();
   double whole_ = 0;
@@ -373,9 +377,8 @@ class PlaneChoice {
 
 std::optional<std::size_t> choose_plane(const Leaf& leaf, const Point& far,
                                         std::span<const CutPlane> planes, const CutPoints& points,
-                                        const Winding* winding, std::size_t jobs,
-                                        const Watch& watch) {
-  return PlaneChoice(leaf, far, planes, points, winding, jobs).best(watch);
+                                        const Winding* winding, const PartitionOptions& options) {
+  return PlaneChoice(leaf, far, planes, points, winding, options).best(options.watch);
 }
 
 }  // namespace convexact

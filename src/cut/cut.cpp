@@ -175,7 +175,7 @@ class Cutter {
     }
     const auto choose = [&] {
       made_.planes_tried += tried.size();
-      return choose_plane(leaf, far, tried, points_, winding_, options_.jobs, options_.watch);
+      return choose_plane(leaf, far, tried, points_, winding_, options_);
     };
     auto best = choose();
     // Bodies with room between them have no notch there.

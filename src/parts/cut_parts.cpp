@@ -18,10 +18,15 @@ constexpr const char* kCut = "cuts";
 constexpr const char* kStoreLeaves = "store leaves";
 constexpr const char* kMerge = "merge by reach";
 
-// How many times the leaves' distance goes into that of the parts.
-std::vector<Rational> finenesses(CutEffort effort) {
-  if (effort != CutEffort::High) return {2};
-  return {2, Rational(14, 5), Rational(8, 5), 4};
+// One way to cut, of which more effort tries several.
+struct Way {
+  Rational fineness;  // how many times the leaves' distance goes into that of the parts
+  bool cuts_across = false;
+};
+
+std::vector<Way> ways(CutEffort effort, bool is_exact) {
+  if (effort != CutEffort::High || is_exact) return {{2}};
+  return {{2}, {Rational(14, 5)}, {Rational(8, 5)}, {4}, {2, true}};
 }
 
 int rounds_of(CutEffort effort) {
@@ -46,15 +51,14 @@ class PartCutter {
         log_(log) {}
 
   CutParts run() {
-    const std::vector<Rational> finer =
-        squared_ > 0 ? finenesses(request_.effort) : std::vector<Rational>{2};
+    const std::vector<Way> tried = ways(request_.effort, squared_ == 0);
     const std::vector<Rational> coarser = shares();
     std::optional<CutParts> kept;
     Rational least_share;
     for (const Rational& share : coarser) {
       std::optional<CutParts> best;
-      for (const Rational& fineness : finer) {
-        CutParts made = cut_and_merge(Rational(share * share * squared_), fineness);
+      for (const Way& way : tried) {
+        CutParts made = cut_and_merge(Rational(share * share * squared_), way);
         if (!best || made.parts.size() < best->parts.size()) best = std::move(made);
       }
       const auto [is_held, volume_share] = fit(*best);
@@ -78,15 +82,16 @@ class PartCutter {
     return is_limited() && squared_ > 0 ? kShares : std::vector{kShares.front()};
   }
 
-  CutParts cut_and_merge(const Rational& squared, const Rational& fineness) {
+  CutParts cut_and_merge(const Rational& squared, const Way& way) {
     CutParts made;
     std::size_t cells = 0;
     made.partition = log_.run(kCut, [&] {
       const Watch watch = log_.watch(kCut);
-      ReachLimit fine(surface_, winding_, Rational(squared / (fineness * fineness)));
+      ReachLimit fine(surface_, winding_, Rational(squared / (way.fineness * way.fineness)));
       Partition partition = cut(surface_, winding_, fine,
                                 {.is_exact = request_.engine == Engine::Exact,
                                  .only_facets = request_.distance && request_.distance->value == 0,
+                                 .cuts_across = way.cuts_across,
                                  .jobs = request_.jobs.value_or(all_cores()),
                                  .watch = watch});
       cells = fine.cells();

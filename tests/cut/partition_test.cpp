@@ -276,6 +276,32 @@ TEST_CASE("cut: the exact engine cuts alike" * sweep) {
   }
 }
 
+TEST_CASE("cut: a ring is cut along chords, or across if asked to") {
+  Mesh tube;
+  std::vector<Point> points;
+  constexpr std::uint32_t kSides = 24;
+  for (std::uint32_t i = 0; i < kSides; ++i) {
+    const double angle = 2 * M_PI * i / kSides;
+    for (const double radius : {0.6, 1.0}) {
+      for (const double z : {0.0, 2.0}) {
+        points.emplace_back(radius * std::cos(angle), radius * std::sin(angle), z);
+      }
+    }
+    const std::uint32_t a = 4 * i,
+                        b = (a + 4) % (4 * kSides);  // inner below, above, outer likewise
+    for (const auto& [from, to] : {std::pair(2u, 3u), {3u, 1u}, {1u, 0u}, {0u, 2u}}) {
+      tube.polygons.push_back({a + from, b + from, b + to, a + to});
+    }
+  }
+  tube.points = PointSet(points);
+  // Within 1.5% of the diameter are sectors of three sides.
+  const Cut along(tube, "3/200"), across(tube, "3/200", {.cuts_across = true});
+  CHECK(across.partition.leaves.size() == 8);
+  CHECK(along.partition.leaves.size() > 8);
+  check_promises(across);
+  check_promises(along);
+}
+
 TEST_CASE("cut: the cuts are the same for any number of threads") {
   // A torus of 1,200 corners, enough for threads to be worth it.
   Mesh torus;
