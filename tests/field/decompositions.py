@@ -26,9 +26,10 @@ from memory import Memory, bytes_of, digest_of, expectation, judges_digest  # no
 from mutate import obj_text  # noqa: E402
 from programs import BUILD, NOT_HERE, ROOT, decomposers, own_seconds, run_program, says_nothing  # noqa: E402
 from reading import Mesh, read  # noqa: E402
+from real_meshes import real_meshes  # noqa: E402
 from run import number_options  # noqa: E402
 from subjects import parts_finding, write_subject  # noqa: E402
-from tables import PARTS_MESHES, REACH, edit_page, parts_matrix, parts_table, with_times, write_page  # noqa: E402
+from tables import PARTS_MESHES, REACH, edit_page, parts_matrix, parts_table, real_parts_table, with_times, write_page  # noqa: E402
 from times import cell, timed_runs  # noqa: E402
 
 ASKED = "covers-points,covers-surface,parts-disjoint,parts-needed,parts-solid,parts-convex"
@@ -72,6 +73,20 @@ def torus(around, across, radius=2.0, tube=1.0):
     return Mesh([corner(i, j) for i in range(around) for j in range(across)], faces)
 
 
+def in_triangles(mesh):
+    return Mesh(mesh.points, [[face[0], b, c] for face in mesh.faces for b, c in zip(face[1:], face[2:])])
+
+
+def real_solids(count):
+    """Real meshes as users have them, open surfaces among them, and why others are missing. STL repeats points: once each."""
+    meshes, reasons = real_meshes(count)
+    found = {}
+    for name, mesh in meshes:
+        index = {point: k for k, point in enumerate(dict.fromkeys(mesh.points))}
+        found[name] = in_triangles(Mesh(list(index), [[index[mesh.points[corner]] for corner in face] for face in mesh.faces]))
+    return found, reasons
+
+
 def all_meshes():
     """Closed forms, the meshes of tests/data, the cow of an npm package, and those of CONVEXACT_MESHES."""
     middle = (1, 1, 1)
@@ -87,8 +102,7 @@ def all_meshes():
     if cow.exists():
         files.setdefault("cow", cow)
     for name, path in files.items():
-        mesh = read(path)
-        meshes[name] = Mesh(mesh.points, [[face[0], b, c] for face in mesh.faces for b, c in zip(face[1:], face[2:])])
+        meshes[name] = in_triangles(read(path))
     return meshes
 
 
@@ -228,6 +242,8 @@ def parse_options(arguments):
     parser.add_argument("--program", action="append", help="only this decomposer; may be repeated")
     parser.add_argument("--only", metavar="NAME", help="one decomposer in minutes: --program NAME on the meshes of the table")
     parser.add_argument("--table", action="store_true", help="only the meshes of the table in docs/results/field.md")
+    parser.add_argument("--real", metavar="COUNT", type=int, nargs="?", const=30, default=0,
+                        help="real meshes of packages of robots instead: the first thirty of the list, or COUNT of it")
     parser.add_argument("--time-limit", type=float, default=300, help="seconds for one run of a decomposer (default 300)")
     parser.add_argument("--verify-limit", type=float, default=300, help="seconds for one verdict (default 300)")
     parser.add_argument("--most", type=int, default=7000,
@@ -237,13 +253,14 @@ def parse_options(arguments):
     parser.add_argument("--no-judge", action="store_true", help="ask convexact only")
     parser.add_argument("--fresh", action="store_true", help="run all decomposers again")
     parser.add_argument("--page", action="store_true", help="write the tables into docs/results/field.md, too")
-    parser.add_argument("-o", dest="report", default=str(BUILD / "decompositions.json"), help="the report as JSON")
+    parser.add_argument("-o", dest="report", help="the report as JSON (default: in build/field, decompositions.json, or -real.json)")
     options = parser.parse_args(arguments)
     if options.only:
-        options.program, options.table = [options.only], True
+        options.program, options.table = [options.only], not options.real
     if options.table or options.times:
         options.case = list(PARTS_MESHES)
-    options.suffix, options.shrink = "", 0  # for the pages of decomposers
+    options.suffix, options.shrink = "-real" if options.real else "", 0  # for the pages of decomposers
+    options.report = options.report or str(BUILD / f"decompositions{options.suffix}.json")
     return options
 
 
@@ -267,8 +284,9 @@ def main(arguments=None):
     options.asks = knows_unions(options.convexact)
     options.digest = judges_digest(bytes_of(Path(options.convexact)), options.verify_limit)
     everything = decomposers(options.convexact)
+    meshes, skipped = real_solids(options.real) if options.real else (all_meshes(), {})
     programs = [program for program in everything if not options.program or program.name in options.program]
-    runs = [Run(case, mesh, program, options) for case, mesh in all_meshes().items() for program in programs
+    runs = [Run(case, mesh, program, options) for case, mesh in meshes.items() for program in programs
             if not program.missing and (not options.case or case in options.case)]
     if options.times:
         cells = {name: cell(times) for name, times in timed_runs(runs, options.time_limit).items()}
@@ -289,9 +307,9 @@ def main(arguments=None):
             run.record["differences"] = differences_of(verdict, run.record["status"], run.record["answer"]) if options.asks else []
     records = [run.record for run in runs]
     Path(options.report).write_text(json.dumps({"records": records}, indent=1) + "\n")
-    table = parts_table(records, programs)
-    write_page("decompositions", table, options.page, [program.name for program in everything])
-    if options.page:
+    table = (real_parts_table if options.real else parts_table)(records, programs)
+    write_page("real-parts" if options.real else "decompositions", table, options.page, [program.name for program in everything])
+    if options.page and not options.real:
         matrix = parts_matrix(edit_page("decompositions", str.strip))
         edit_page("matrix", lambda old: matrix)
     for program in (program for program in programs if not program.missing):
@@ -299,17 +317,17 @@ def main(arguments=None):
         found = [parts_finding(program, run.record, run.source, run.target) for run in mine]
         write_subject(options, program, [finding for finding in found if finding], len(mine))
     print(table)
-    return report(records, [program for program in programs if program.missing], options)
+    skipped.update({program.name: program.missing for program in programs if program.missing})
+    return report(records, skipped, options)
 
 
-def report(records, missing, options):
+def report(records, skipped, options):
     differing = 0
     for record in records:
         for kind, claim, sentence in record.get("differences", []):
             differing += 1
             print(f"{kind}: {record['case']} {record['program']}: {claim}: {sentence}")
-    reasons = {program.name: program.missing for program in missing}
-    for name, reason in {**reasons, **({} if options.program else NOT_HERE)}.items():
+    for name, reason in {**skipped, **({} if options.program else NOT_HERE)}.items():
         print(f"skipped: {name}: {reason}")
     judged = sum("judge" in record for record in records)
     print(f"{judged} decompositions judged{'' if options.asks else ' by the independent judge only'}, {differing} differences; "

@@ -184,6 +184,21 @@ class Pages(unittest.TestCase):
             self.assertEqual(len(row), len(tables.PARTS_HEAD))
             self.assertEqual(dict(zip(tables.PARTS_HEAD, row))["judged twice"], said)
 
+    def test_many_meshes_are_one_row(self):
+        judge = {**Findings.JUDGED, "parts": 3, "overlapping_pairs": 2, "parts_inner": [], "claims": {"covers-surface": True},
+                 "facets": [6, 6, 9]}
+        holds = {**judge, "points_outside": 0, "squared_distance": "0", "uncovered_area_share": 0.0}
+        records = [{"program": "p", "case": "a", "outcome": "output", "seconds": 1.0, "judge": holds},
+                   {"program": "p", "case": "b", "outcome": "output", "seconds": 3.0,
+                    "judge": {**judge, "points_outside": 1, "squared_distance": "1/4", "squared_diameter": "1", "uncovered_area_share": 0.25}},
+                   {"program": "p", "case": "c", "outcome": "refused 4", "seconds": None}]
+        row = tables.real_parts_table(records, [programs.Program("p", ["p"]), programs.Program("q", ["q"])]).split("\n")[2]
+        cells = dict(zip(tables.REAL_PARTS_HEAD, row.strip("| ").split(" | ")))
+        said = {"outputs": "2 of 3", "hold all points": "1 of 2", "farthest, D": "0.5", "all of the surface": "1 of 2",
+                "most surface outside": "25%", "parts": "6", "median time": "2 s", "parts with faults": "4 pairs overlap",
+                "no output": "1 refused 4"}
+        self.assertEqual({name: cells[name] for name in said}, said)
+
     def test_each_output_is_counted_once_by_its_worst_point(self):
         worst = [None, "9e-400", "1e-15", "9.9e-13", "2e-12", "1e-9", "0.00099", "0.5"]
         found = [{**Findings.GOOD, "seconds": 1.0, "contains": not distance, "relative": distance} for distance in worst]
@@ -203,7 +218,8 @@ class Pages(unittest.TestCase):
 
     def test_the_page_has_a_place_for_each_table(self):
         page = tables.PAGE.read_text()
-        for name in ("hulls", "ends", "real", "real-distances", "real-300", "real-300-distances", "matrix", "decompositions"):
+        for name in ("hulls", "ends", "real", "real-distances", "real-300", "real-300-distances", "matrix", "decompositions",
+                     "real-parts"):
             self.assertRegex(page, rf"<!-- {name}: (?s:.*)<!-- end of {name} -->")
 
     def test_an_empty_page_takes_all_rows(self):

@@ -272,6 +272,39 @@ def parts_table(records, programs):
     return markdown(PARTS_HEAD, rows, left=2)
 
 
+REAL_PARTS_HEAD = ["decomposer", "package", "date", "outputs", "judged twice", "hold all points", "farthest, D", "all of the surface",
+                   "most surface outside", "the solid", "within 3% D of it", "parts", "median time", "parts with faults", "no output"]
+
+
+def real_parts_row(program, records):
+    """One decomposer on many meshes. The solid and the distance from it count where they are known: real surfaces may be open."""
+    found = [record for record in records if record["outcome"] == "output" and "judge" in record]
+    judges = [record["judge"] for record in found]
+    shares = [share for share in map(uncovered_share, found) if share is not None]
+    cells = [dict(zip(PARTS_HEAD[PARTS_HEAD.index("parts"):], judged_cells(record))) for record in found]
+    volumes, reaches = ([of[column] for of in cells if of[column] != "-"] for column in ("volume outside", "beyond, D"))
+    ends = [judged_cells(record)[0] for record in records if record not in found]
+    seconds = [record["seconds"] for record in found if record["seconds"] is not None]
+    return [f"`{program.name}`", program.version or "this one", time.strftime("%Y-%m-%d"), said(len(found), len(records)),
+            said(sum(judge["claims"]["covers-surface"] is not None for judge in judges), len(judges)),
+            said(sum(not judge["points_outside"] for judge in judges), len(judges)),
+            small(max(map(relative_distance, judges), default=0.0)),
+            said(sum(not share for share in shares), len(shares)), percent(max(shares, default=0.0)),
+            said(sum(share == "0" for share in volumes), len(volumes)),
+            said(sum(float(reach) <= REACH for reach in reaches), len(reaches)), str(sum(judge["parts"] for judge in judges)),
+            short_time(statistics.median(seconds) if seconds else None), faults(judges),
+            ", ".join(f"{ends.count(end)} {end}" for end in sorted(set(ends))) or "-"]
+
+
+def real_parts_table(records, programs):
+    rows = []
+    for program in programs:
+        mine = [record for record in records if record["program"] == program.name]
+        if mine:
+            rows.append(real_parts_row(program, mine))
+    return markdown(REAL_PARTS_HEAD, rows, left=2)
+
+
 FAULTS = ("flat", "not convex", "pairs overlap", "within another")
 
 
