@@ -34,7 +34,9 @@ class DoubleDouble {
     const TwoTerms v = fast_two_sum(s.high, s.low + t.high);
     return fast_two_sum(v.high, t.low + v.low);
   }
-  friend constexpr DoubleDouble operator-(const DoubleDouble& x, const DoubleDouble& y) { return x + (-y); }
+  friend constexpr DoubleDouble operator-(const DoubleDouble& x, const DoubleDouble& y) {
+    return x + (-y);
+  }
   friend constexpr DoubleDouble operator*(const DoubleDouble& x, const DoubleDouble& y) {
     const TwoTerms c = two_product(x.hi_, y.hi_);
     return fast_two_sum(c.high, c.low + (x.hi_ * y.lo_ + x.lo_ * y.hi_));

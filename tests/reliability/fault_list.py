@@ -188,6 +188,7 @@ FAULTS = [
     (SIGN, 'fast/exact_mean_width', 'roof.base_edge(q, of), -1)', 'roof.base_edge(q, of), 1)', 'fast_metric_cost'),
     (CONSTANT, 'fast/kFromDirections', 'kNearExcessError = 72;', 'kNearExcessError = 4.5;', 'fast_metric_cost'),
     (CONSTANT, 'fast/kOfFar', 'kFarExcessError = 1344;', 'kFarExcessError = 84;', 'fast_metric_cost'),
+    (CONSTANT, 'fast/terms_for', 'a <= 0x1p-13 ? 7 : a <= 0x1p-6 ? 13 : kTerms', 'a <= 0x1p-13 ? 3 : a <= 0x1p-6 ? 6 : 11', 'fast_metric_cost'),
     (CONSTANT, 'fast/kChordError', 'kChordError = 24;', 'kChordError = 1.5;', 'fast_metric_cost'),
     (STALE, 'fast/grown_with', 'next_above(grown_.upper + cost.upper)', 'next_above(cost.upper)', 'fast_agreement_sample'),
     (STALE, 'check/replace', '      removals_[a].fresh = false;\n', '', 'check check_mutated'),

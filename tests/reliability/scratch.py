@@ -48,6 +48,7 @@ UNITS = {
     'src/fast/signs.hpp': ['tests/fast/plane_filter_test.cpp', *_ROUNDED, *_AUDIT],
     'src/fast/cap_volume.hpp': [_CAPS, 'src/fast/cap.cpp'],
     'src/fast/ring_determinants.hpp': [_CAPS, 'src/fast/cap.cpp'],
+    'src/fast/angular_excess.hpp': ['src/fast/angular_excess.cpp', 'src/fast/metric_cost.cpp', 'src/fast/long_metric.cpp'],
     'src/fast/metric_cost.hpp': ['src/fast/metric_cost.cpp', *_AUDIT],
     'src/fast/keyed_queue.hpp': ['src/fast/filtered_loop.cpp'],
     'src/fast/filtered_loop.hpp': ['src/fast/filtered_loop.cpp', 'src/fast/engines.cpp', 'src/scene/part_runs.cpp'],
