@@ -11,8 +11,6 @@
 namespace convexact {
 namespace {
 
-constexpr double kNoUpperEnd = std::numeric_limits<double>::infinity();
-
 // (E2) The chord |m - n| between two directions, at most 2. The directions are off by 8u each;
 // their differences are rounded by u relative, squares and sums by 3u, halved by the root, which
 // adds u: 16u + 3.5u * 2.
@@ -84,7 +82,7 @@ CostBounds<double> MetricCost::widened(const Interval<double>& sum, bool is_cert
   const double of_terms = sum_slop(kOfTerm + ring_.size(), kUnitRoundoff);
   for (LastingTerm& term : terms_) term.lower *= 1 - of_terms;
   const double lower = lower_bound(terms_);
-  if (!is_certain) return {Boundedness::Doubtful, lower, kNoUpperEnd};
+  if (!is_certain) return {Boundedness::Doubtful, lower, std::numeric_limits<double>::infinity()};
   return {Boundedness::Bounded, lower,
           sum.upper * (1 + of_terms + sum_slop(terms_.size(), kUnitRoundoff)) + kTiny};
 }

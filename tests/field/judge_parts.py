@@ -300,7 +300,7 @@ class Surroundings:
         """A point on the line of an edge moves by less than its distance, which leads through no triangle."""
         if not self.closed:
             return False
-        shift = Fraction(math.isqrt(int(squared * 2 ** 80)), 2 ** 44)
+        shift = Fraction(math.isqrt(squared.numerator * squared.denominator), 16 * squared.denominator)
         for part in range(50):
             x, y = point[0] + shift * Fraction(part, 97), point[1] + shift * Fraction(part * part, 4801)
             crossings = column(self.boxed, x, y)

@@ -10,7 +10,7 @@ from itertools import combinations, product
 from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).parent))
-from judge_parts import Part, interiors_meet, judge_part_files, judge_parts, uncovered_of  # noqa: E402
+from judge_parts import Part, Surroundings, interiors_meet, judge_part_files, judge_parts, uncovered_of  # noqa: E402
 from planar import Frame  # noqa: E402
 from reading import Mesh  # noqa: E402
 from solid import cross, dot, minus  # noqa: E402
@@ -230,6 +230,18 @@ class Laws(unittest.TestCase):
                 for solid, other in ((first, second), (second, first)):
                     self.assertTrue(all(any(dot(n, v) < d for v in other.vertices) for n, d in solid.planes))
         self.assertTrue(0 < met < 60)
+
+
+class Distances(unittest.TestCase):
+    def test_above_an_edge_however_near(self):
+        # The vertical line through the middle meets the diagonals of the upper and the lower square.
+        cube = boundary([(0, 0, 0)])
+        around = Surroundings([tuple(tuple(map(int, cube.points[c])) for c in face) for face in cube.faces])
+        self.assertTrue(around.closed)
+        for height in (Fraction(1), Fraction(1, 2 ** 30), Fraction(1, 2 ** 50), Fraction(1, 2 ** 200)):
+            above, below = ((Fraction(1, 2), Fraction(1, 2), z) for z in (1 + height, 1 - height / 4))
+            self.assertEqual(around.squared_distance(above), height ** 2)
+            self.assertEqual(around.squared_distance(below), 0)
 
 
 class Parts(unittest.TestCase):
