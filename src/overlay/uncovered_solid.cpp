@@ -32,7 +32,7 @@ class WitnessSearch {
   UncoveredSolid near(const RationalPoint& x, const IntegerVector3& normal) const {
     const auto length = static_cast<long>(bit_length(normal));
     const Integer unit = Integer(1) << static_cast<unsigned>(length);
-    for (long j = 1; j < 4096; ++j) {
+    for (long j = 1; j < kMostAttempts; ++j) {
       // The vector added has a length < 4.6 2^22 unit, and 2^26 |n| >= 2^25 unit: so it is less
       // than 0.6 of the latter.
       const IntegerVector3 aside(Integer(unit << 22u), Integer(unit * (j << 11)),
@@ -52,7 +52,29 @@ class WitnessSearch {
     throw Error(ErrorCode::Internal, "no point near an uncovered piece is uncovered");
   }
 
+  // A point inside of a piece that lies in no part. Parts may touch the piece, along segments and
+  // at points: an edge of a part may lead through the mean of the corners, and what is behind the
+  // mean lies in that part then.
+  //
+  // The point of weights 1, t, t^2, ... lies on a line for fewer t than there are corners.
+  RationalPoint clear_point(const std::vector<RationalPoint>& corners) const {
+    for (long t = 1; t < kMostAttempts; ++t) {
+      RationalPoint sum = RationalPoint::Zero();
+      Integer weight = 1, total = 0;
+      for (const RationalPoint& corner : corners) {
+        for (int k = 0; k < 3; ++k) sum[k] += corner[k] * Rational(weight);
+        total += weight;
+        weight *= t;
+      }
+      for (Rational& x : sum) x /= Rational(total);
+      if (!is_held(sum)) return sum;
+    }
+    throw Error(ErrorCode::Internal, "no point of an uncovered piece is uncovered");
+  }
+
  private:
+  static constexpr long kMostAttempts = 4096;
+
   bool is_held(const RationalPoint& y) const {
     return std::any_of(parts_.begin(), parts_.end(), [&](const ConvexPart& part) {
       for (int k = 0; k < 3; ++k) {
@@ -81,16 +103,14 @@ std::optional<UncoveredSolid> find_uncovered_solid(const Surface& surface, const
   for (const UncoveredPiece& piece : coverage.uncovered) {
     watch.ask();
     if (piece.corners.size() < 3) continue;
-    RationalPoint mean = RationalPoint::Zero();
-    for (const RationalPoint& corner : piece.corners) mean += corner;
-    for (Rational& x : mean) x /= Rational(piece.corners.size());
-    const auto [before, behind] = winding.beside(piece.triangle, mean);
+    const RationalPoint x = search.clear_point(piece.corners);
+    const auto [before, behind] = winding.beside(piece.triangle, x);
     if (before == 0 && behind == 0) continue;
     const auto& ids = surface.triangles[piece.triangle.index()];
     const Halfspace plane =
         Halfspace::through(surface.points[ids[0]], surface.points[ids[1]], surface.points[ids[2]]);
     const IntegerVector3& n = plane.normal();
-    return search.near(mean, before != 0 ? n : IntegerVector3(-n));
+    return search.near(x, before != 0 ? n : IntegerVector3(-n));
   }
   // (2) The boundary of the uncovered set.
   std::optional<UncoveredSolid> found;

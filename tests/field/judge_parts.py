@@ -360,7 +360,8 @@ def judge_each(verdict, parts, scale):
         facets=[len(part.hull.facets) if part.hull else 2 * (part.dimension == 2) for part in parts],  # a polygon has two sides
         vertices=[len(part.vertices) for part in parts])
     verdict.claims["parts-solid"] = not flat
-    verdict.claims["parts-convex"] = not verdict.figures["parts_not_convex"]
+    # The faces of a flat part enclose nothing, so they are not judged.
+    verdict.claims["parts-convex"] = set(verdict.figures["parts_not_convex"]) <= set(flat)
 
 
 def judge_parts(mesh, parts, tolerance="0", most=10 ** 9, samples=8, distance=None):

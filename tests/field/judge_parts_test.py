@@ -264,6 +264,12 @@ class Parts(unittest.TestCase):
         self.assertNotIn("part_000", verdict.figures["parts_not_convex"])
         self.assertFalse(verdict.claims["parts-solid"] or verdict.claims["parts-convex"])
 
+    def test_the_faces_of_flat_parts_are_not_judged(self):
+        flat = Mesh([(0.0, 0.0, 0.0), (1.0, 0.0, 0.0), (0.0, 1.0, 0.0)], [[0, 1, 2]])
+        verdict = judge_parts(boundary([(0, 0, 0)]), named(unit((0, 0, 0)), flat))
+        self.assertTrue(verdict.claims["parts-convex"])
+        self.assertFalse(verdict.claims["parts-solid"])
+
     def test_files_with_objects_are_read_and_others_are_malformed(self):
         cube = "".join(f"v {x} {y} {z}\n" for x, y, z in unit((0, 0, 0)).points)
         faces = "".join("f " + " ".join(str(c + 1) for c in quad) + "\n" for quad in QUADS)

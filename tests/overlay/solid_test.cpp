@@ -201,6 +201,23 @@ TEST_CASE("solid: flat parts cover no volume, even where they hold the surface")
   CHECK(uncovered_of(cube, skin) == Rational(1, 2));
 }
 
+TEST_CASE("solid: a part may touch an uncovered triangle in a segment through its middle") {
+  // A prism over a triangle, and a tent whose ridge leads from a corner of that triangle to the
+  // middle of the opposite side. Behind the middle of the triangle there is the tent only. At depth
+  // x it holds an area of 6 x - 3/2 x^2 of the prism, which has a volume of 6.
+  const std::vector<std::array<int, 2>> base{{-2, 0}, {2, 0}, {0, 3}};
+  std::vector<RationalPoint> corners;
+  for (const auto& [y, z] : base) {
+    for (const int x : {0, 1}) corners.push_back(rational_point(x, y, z));
+  }
+  Soup prism;
+  add_solid(*part_of(corners).solid, prism);
+  const ConvexPart tent =
+      part_of({rational_point(0, 0, 0), rational_point(0, 0, 3), rational_point(1, -1, 0),
+               rational_point(1, 1, 0), rational_point(1, -1, 3), rational_point(1, 1, 3)});
+  CHECK(uncovered_of(prism, {tent}) == Rational(7, 2));
+}
+
 TEST_CASE("solid: an ulp that matters") {
   Soup cube;
   add_box(0, 0, 0, 1, 1, 1, cube);
