@@ -23,16 +23,29 @@ class WitnessSearch {
   WitnessSearch(const Winding& winding, std::span<const ConvexPart> parts, long exponent)
       : winding_(winding), parts_(parts), exponent_(exponent) {}
 
-  // A point near x, on the side to which the normal points; the first attempts are far from x.
-  // Precondition: x is in no solid part's interior, and on that side of it lie points of the solid
+  // A point beside a piece, on the side to which the normal points.
+  // Precondition: the piece has an area, and on that side of all of it lie points of the solid
   // outside of all parts.
   //
-  // Steps shrink, and their directions differ: those of (1, t, t^2) added to the normal. A flat
-  // part through x holds at most two of them.
-  UncoveredSolid near(const RationalPoint& x, const IntegerVector3& normal) const {
+  // Parts may touch the piece, in segments and at points: where an edge of a part leads through the
+  // point that is tried, all that is near and behind it may lie in that part. So others are tried.
+  // @param inside  The points of the piece to try, from 1 on, different ones.
+  template <class Inside>
+  UncoveredSolid beside(const Inside& inside, const IntegerVector3& normal) const {
+    constexpr unsigned kMostPoints = 256;
+    for (unsigned t = 1; t < kMostPoints; ++t) {
+      if (auto found = near(inside(t), normal)) return std::move(*found);
+    }
+    throw Error(ErrorCode::Internal, "no point near an uncovered piece is uncovered");
+  }
+
+ private:
+  // The first attempts are far from x. Steps shrink, and their directions differ: those of
+  // (1, t, t^2) added to the normal. A flat part through x holds at most two of them.
+  std::optional<UncoveredSolid> near(const RationalPoint& x, const IntegerVector3& normal) const {
     const auto length = static_cast<long>(bit_length(normal));
     const Integer unit = Integer(1) << static_cast<unsigned>(length);
-    for (long j = 1; j < kMostAttempts; ++j) {
+    for (long j = 1; j < 4096; ++j) {
       // The vector added has a length < 4.6 2^22 unit, and 2^26 |n| >= 2^25 unit: so it is less
       // than 0.6 of the latter.
       const IntegerVector3 aside(Integer(unit << 22u), Integer(unit * (j << 11)),
@@ -47,33 +60,10 @@ class WitnessSearch {
       if (j % 2 == 1) y = on_grid(y, exponent_ - shrink - 6);
       if (is_held(y)) continue;
       const std::optional<long> number = winding_(y);
-      if (number && *number != 0) return {std::move(y), *number};
+      if (number && *number != 0) return UncoveredSolid{std::move(y), *number};
     }
-    throw Error(ErrorCode::Internal, "no point near an uncovered piece is uncovered");
+    return {};
   }
-
-  // A point inside of a piece that lies in no part. Parts may touch the piece, along segments and
-  // at points: an edge of a part may lead through the mean of the corners, and what is behind the
-  // mean lies in that part then.
-  //
-  // The point of weights 1, t, t^2, ... lies on a line for fewer t than there are corners.
-  RationalPoint clear_point(const std::vector<RationalPoint>& corners) const {
-    for (long t = 1; t < kMostAttempts; ++t) {
-      RationalPoint sum = RationalPoint::Zero();
-      Integer weight = 1, total = 0;
-      for (const RationalPoint& corner : corners) {
-        for (int k = 0; k < 3; ++k) sum[k] += corner[k] * Rational(weight);
-        total += weight;
-        weight *= t;
-      }
-      for (Rational& x : sum) x /= Rational(total);
-      if (!is_held(sum)) return sum;
-    }
-    throw Error(ErrorCode::Internal, "no point of an uncovered piece is uncovered");
-  }
-
- private:
-  static constexpr long kMostAttempts = 4096;
 
   bool is_held(const RationalPoint& y) const {
     return std::any_of(parts_.begin(), parts_.end(), [&](const ConvexPart& part) {
@@ -89,6 +79,20 @@ class WitnessSearch {
   long exponent_;
 };
 
+// The middle of a convex polygon for t = 1, others for more: those of weights 1, t, t^2, ... lie on
+// a line for fewer t than there are corners.
+RationalPoint weighted_mean(const std::vector<RationalPoint>& corners, unsigned t) {
+  RationalPoint sum = RationalPoint::Zero();
+  Integer weight = 1, total = 0;
+  for (const RationalPoint& corner : corners) {
+    for (int k = 0; k < 3; ++k) sum[k] += corner[k] * Rational(weight);
+    total += weight;
+    weight *= t;
+  }
+  for (Rational& x : sum) x /= Rational(total);
+  return sum;
+}
+
 }  // namespace
 
 std::optional<UncoveredSolid> find_uncovered_solid(const Surface& surface, const Winding& winding,
@@ -103,20 +107,24 @@ std::optional<UncoveredSolid> find_uncovered_solid(const Surface& surface, const
   for (const UncoveredPiece& piece : coverage.uncovered) {
     watch.ask();
     if (piece.corners.size() < 3) continue;
-    const RationalPoint x = search.clear_point(piece.corners);
-    const auto [before, behind] = winding.beside(piece.triangle, x);
+    const auto inside = [&](unsigned t) { return weighted_mean(piece.corners, t); };
+    const auto [before, behind] = winding.beside(piece.triangle, inside(1));
     if (before == 0 && behind == 0) continue;
     const auto& ids = surface.triangles[piece.triangle.index()];
     const Halfspace plane =
         Halfspace::through(surface.points[ids[0]], surface.points[ids[1]], surface.points[ids[2]]);
     const IntegerVector3& n = plane.normal();
-    return search.near(x, before != 0 ? n : IntegerVector3(-n));
+    return search.beside(inside, before != 0 ? n : IntegerVector3(-n));
   }
   // (2) The boundary of the uncovered set.
   std::optional<UncoveredSolid> found;
   const auto visit = [&](const SolidPiece& piece) {
     const IntegerVector3& n = piece.plane.normal();
-    found = search.near(piece.x, piece.looks_out ? IntegerVector3(-n) : n);
+    const auto inside = [&](unsigned t) {
+      return t == 1 ? piece.x
+                    : piece.arrangement.point(interior_of(piece.arrangement, piece.piece, t));
+    };
+    found = search.beside(inside, piece.looks_out ? IntegerVector3(-n) : n);
     return false;
   };
   visit_uncovered_boundary(surface, winding, parts, exponent, {visit}, watch);

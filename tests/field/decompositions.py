@@ -255,6 +255,8 @@ def parse_options(arguments):
     parser.add_argument("--page", action="store_true", help="write the tables into docs/results/field.md, too")
     parser.add_argument("-o", dest="report", help="the report as JSON (default: in build/field, decompositions.json, or -real.json)")
     options = parser.parse_args(arguments)
+    if options.real and (options.table or options.times):
+        parser.error("--table and --times are for the meshes of the table, so not with --real")
     if options.only:
         options.program, options.table = [options.only], not options.real
     if options.table or options.times:

@@ -354,14 +354,14 @@ def judge_among(verdict, parts):
 
 def judge_each(verdict, parts, scale):
     flat = [part.name for part in parts if part.dimension < 3]
-    convex = {part.name: part.convex_as_file(scale) for part in parts}
+    not_convex = [part for part in parts if part.convex_as_file(scale) is False]
     verdict.figures.update(
-        parts=len(parts), parts_not_solid=flat, parts_not_convex=[name for name, good in convex.items() if good is False],
+        parts=len(parts), parts_not_solid=flat, parts_not_convex=[part.name for part in not_convex],
         facets=[len(part.hull.facets) if part.hull else 2 * (part.dimension == 2) for part in parts],  # a polygon has two sides
         vertices=[len(part.vertices) for part in parts])
     verdict.claims["parts-solid"] = not flat
-    # The faces of a flat part enclose nothing, so they are not judged.
-    verdict.claims["parts-convex"] = set(verdict.figures["parts_not_convex"]) <= set(flat)
+    # The faces of a flat part enclose nothing, so the claim is not about them.
+    verdict.claims["parts-convex"] = all(part.dimension < 3 for part in not_convex)
 
 
 def judge_parts(mesh, parts, tolerance="0", most=10 ** 9, samples=8, distance=None):

@@ -218,6 +218,19 @@ TEST_CASE("solid: a part may touch an uncovered triangle in a segment through it
   CHECK(uncovered_of(prism, {tent}) == Rational(7, 2));
 }
 
+TEST_CASE("solid: a part may touch another one's facet in a segment through its middle") {
+  // A box with walls of 1 around a void of volume 8, and a tent in the void whose ridge leads
+  // across the inner facet of the first wall, with a volume of 4.
+  Soup box;
+  add_box(0, 0, 0, 4, 4, 4, box);
+  const ConvexPart tent =
+      part_of({rational_point(1, 2, 1), rational_point(1, 2, 3), rational_point(3, 1, 1),
+               rational_point(3, 3, 1), rational_point(3, 1, 3), rational_point(3, 3, 3)});
+  CHECK(uncovered_of(box, {box_part(0, 0, 0, 1, 4, 4), box_part(3, 0, 0, 4, 4, 4),
+                           box_part(0, 0, 0, 4, 1, 4), box_part(0, 3, 0, 4, 4, 4),
+                           box_part(0, 0, 0, 4, 4, 1), box_part(0, 0, 3, 4, 4, 4), tent}) == 4);
+}
+
 TEST_CASE("solid: an ulp that matters") {
   Soup cube;
   add_box(0, 0, 0, 1, 1, 1, cube);
