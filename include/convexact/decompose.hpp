@@ -57,7 +57,7 @@ enum class ReachUse { None, Reach };
 enum class CutEffort {
   Low,     ///< Leaves are merged once.
   Normal,  ///< And again with other preferences.
-  High,    ///< And the solid is cut several times, into finer and coarser leaves, and otherwise.
+  High,    ///< And the solid is cut several times, into finer and coarser leaves, and across rings.
 };
 
 /// The distance from the solid that no point of a part may exceed, if the request says none.

@@ -52,9 +52,8 @@ struct PartitionOptions {
   bool is_exact = false;
   /// Only planes of facets, which the input says exactly, those at notches first.
   bool only_facets = false;
-  /// Whether a plane through the farthest point of a leaf counts as getting rid of it, though both
-  /// sides touch it. Then rings are cut across, else along chords; but cavities of boxes take more
-  /// leaves.
+  /// Prefer planes through the farthest point of a leaf, though both sides touch it then. Rings are
+  /// cut across, else along chords; but boxes with cavities into more leaves.
   bool cuts_across = false;
   /// Threads, at least 1. The cuts are the same for any number of them.
   std::size_t jobs = 1;

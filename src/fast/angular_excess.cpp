@@ -87,7 +87,8 @@ Scalar divided_psi(int terms, const Scalar& a, const Scalar& b) {
 // - From rounding: differences by u, so a, b, c by 5u, series by 3u more, products by 4u: 12u of
 //   terms of at most 0.35 d^2 rho^2, 0.05 d^4, and of |a - b| 6u d rho: less than
 //   (0.5 * 12 + 0.38 * 2 * 6 + ...) u d rho^2 / 1 <= 10u d rho^2.
-// - From what is cut off: u / 8 of the terms, below u d rho^2.
+// - From what is cut off: of g and q u / 8 of the terms; of psi[a, b], whose terms have a factor n
+//   more, less than u / 4; together below u d rho^2.
 constexpr double kFromDirections = 53, kFromRounding = 10, kFromSeries = 1, kNearExcessError = 72;
 static_assert(kFromDirections + kFromRounding + kFromSeries < kNearExcessError);
 static_assert(DualNormals::kDirectionError <= 8);

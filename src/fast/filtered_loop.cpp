@@ -249,8 +249,8 @@ bool FilteredLoop::tighten_top() {
 
 // Those that may cost as little as the top. Of costs that are nearly equal, as those of a
 // cylinder's sides, a wide bound would collect thousands at every step; so then the top's bounds
-// are made narrower first, which is paid once, and false is returned. (Of mean widths they cannot
-// be.)
+// are made narrower first, which is paid once, and false is returned. (Of mean widths only the
+// exact cost, a long sum of angles, is certain to be narrower.)
 bool FilteredLoop::collect_candidates() {
   constexpr std::size_t kMany = 32;
   const HalfspaceId top = queue_.top();

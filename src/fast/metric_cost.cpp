@@ -2,7 +2,6 @@
 #include "fast/metric_cost.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 

@@ -55,7 +55,8 @@ class DualNormals {
   std::vector<Normal> normals_;
 };
 
-// The bounds of areas in an arithmetic of any unit u (Roundoff); metric_cost.cpp has (E2).
+// The bounds of areas and mean widths in an arithmetic of any unit u (Roundoff); metric_cost.cpp
+// has (E2), angular_excess.cpp (E6).
 
 /// (E3) The versine 1 - cos theta = chord^2 / 2: off by chord * 24u + (24u)^2 / 2, and rounded by
 /// 4u relative, at most 2 chord u.

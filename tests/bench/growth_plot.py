@@ -5,7 +5,7 @@
 Usage: growth_plot.py PROGRAM [--most 10000000] [--sphere 1000000] [--svg FILE]
 
 Each row is one run of `convexact simplify POINTS --faces 18`, of points uniform in a ball, of which few are on the hull, or
-on a sphere, where all are. Seconds are those of the stages, and of the processor for the whole process; a slope is that of the
+on a sphere, where all are. Seconds are those of the stages by the clock, and of the processor for the whole process; a slope is that of the
 logarithms, from the row above. Memory is the peak of the process.
 """
 import argparse
@@ -25,15 +25,16 @@ def run_of(program, shape, points, folder):
     """{column: seconds}, the facets of the hull, and the peak of memory in bytes."""
     path = folder / f'{shape}-{points}.obj'
     subprocess.run([program, 'generate', shape, '--points', str(points), '-o', path], check=True, capture_output=True)
-    child = subprocess.Popen([program, 'simplify', path, '--faces', '18', '--json'], stdout=subprocess.PIPE)
-    answer = json.loads(child.stdout.read())
-    _, status, used = os.wait4(child.pid, 0)
-    child.returncode = os.waitstatus_to_exitcode(status)
+    with subprocess.Popen([program, 'simplify', path, '--faces', '18', '--json'], stdout=subprocess.PIPE) as child:
+        said = child.stdout.read()
+        _, status, used = os.wait4(child.pid, 0)
+        child.returncode = os.waitstatus_to_exitcode(status)
     path.unlink()
     if child.returncode:
         raise SystemExit(f'{shape}, {points} points: exit {child.returncode}')
+    answer = json.loads(said)
     seconds = {stage['name']: stage['seconds'] for stage in answer['stages'] if 'seconds' in stage}
-    found = {column: seconds[stage] for column, stage in STAGES.items()}
+    found = {column: max(seconds[stage], 1e-6) for column, stage in STAGES.items()}
     return {**found, 'all': used.ru_utime + used.ru_stime}, answer['input']['halfspaces'], used.ru_maxrss * 1024
 
 
@@ -79,6 +80,8 @@ def main():
     parser.add_argument('--sphere', type=int, default=10**6, help='points on the sphere, each some 700 bytes (default 10^6)')
     parser.add_argument('--svg', type=pathlib.Path)
     options = parser.parse_args()
+    if min(options.most, options.sphere) < 10**5:
+        parser.error('a slope needs two runs: at least 100000 points')
     series = {}
     print('| points | halfspaces of the hull | read, slope | hull, slope | loop, slope | all, slope | memory, MB |')
     print('|---|---|---|---|---|---|---|')
