@@ -15,7 +15,7 @@ constexpr double kNoUpperEnd = std::numeric_limits<double>::infinity();
 
 // The coefficients of psi(a) = alpha / sin alpha - 1 = sum of c_n a^n in a = 1 - cos alpha, for
 // n >= 1: c_n = product of k / (2k + 1) for k <= n. All series here have a <= 1/8 and coefficients
-// that fall by more than half each: what is cut off after n terms is less than (a / 2)^n a.
+// that fall by more than half each: what is cut off of g or q after n terms is below (a / 2)^n a.
 // g(a) = 1 - alpha cot alpha = a - psi(a) (1 - a): coefficient c_(n-1) - c_n, all positive.
 // q(c) = c + c psi(c) - 2 psi(c): coefficient c_(n-1) / (2n + 1), all positive.
 template <class Scalar, int kTerms>
