@@ -241,11 +241,6 @@ struct Judged {
   int held = 0;
   double volume = 0;
 
-  // @param beyond  How far beyond a plane of the solid `far` may lie.
-  void add(const NearSolid& solid, const Point& far, double beyond) {
-    held += is_within(solid, far, beyond) ? 1 : 0;
-    volume += solid.volume;
-  }
   friend auto operator<=>(const Judged&, const Judged&) = default;
 };
 
@@ -344,14 +339,15 @@ class PlaneChoice {
     ++made.level;
     made.judged = {};
     made.size = 0;
-    const bool touches = std::abs(planes_[made.plane](far_)) < kNear;
+    const bool is_rid_of_far = cuts_across_ && std::abs(planes_[made.plane](far_)) < kNear;
     std::vector<Point> more;
     if (made.level == kLevels) more = own_.new_corners(planes_[made.plane], winding_);
     for (std::size_t k = 0; k < 2; ++k) {
       std::vector<Point>& half = halves[k];
       half.insert(half.end(), more.begin(), more.end());
       NearSolid hull = hull_at(made.level, half, made.hulls[k]);
-      made.judged.add(hull, far_, touches && cuts_across_ ? -kNear : kNear);
+      made.judged.held += !is_rid_of_far && is_within(hull, far_, kNear) ? 1 : 0;
+      made.judged.volume += hull.volume;
       if (made.level == 1) made.hulls[k] = std::move(hull);
       // What is flat has no volume: then smaller is better.
       if (!(whole_ > 0)) made.size += size_of(half);
