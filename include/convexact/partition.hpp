@@ -46,23 +46,29 @@ struct Partition {
   std::size_t planes_tried = 0;
 };
 
+/// Which planes may cut.
+enum class CutPlanes {
+  /// Those of facets at notches, those between these, and some through the farthest point.
+  All,
+  /// Those of facets, which the input says exactly, those at notches first.
+  Facets,
+  /// Those between facets at notches, and some through the farthest point where none of these cuts.
+  /// Rings are cut across, not along chords.
+  Bisectors,
+};
+
 struct PartitionOptions {
   std::optional<std::size_t> max_leaves = {};
   /// Decide each sign in exact numbers, without bounds in doubles.
   bool is_exact = false;
-  /// Only planes of facets, which the input says exactly, those at notches first.
-  bool only_facets = false;
-  /// Prefer planes through the farthest point of a leaf, though both sides touch it then. Rings are
-  /// cut across, else along chords; but boxes with cavities into more leaves.
-  bool cuts_across = false;
+  CutPlanes planes = CutPlanes::All;
   /// Threads, at least 1. The cuts are the same for any number of them.
   std::size_t jobs = 1;
   Watch watch = {};
 };
 
 /// Cuts the leaf that reaches farthest from the solid, again and again, until all are within the
-/// limit, or none that is not can be cut. Planes are those of facets at notches, those between
-/// these, and some through the farthest point.
+/// limit, or none that is not can be cut.
 /// @param winding  Of the surface; null if it is open.
 /// @param limit    Of the surface.
 /// @throws Error Stopped when the watch ends the call.

@@ -229,7 +229,7 @@ class LeafPoints {
 // Values of planes at points are off by less.
 constexpr double kNear = 0x1p-40;
 
-bool is_within(const NearSolid& solid, const Point& y, double beyond) {
+bool is_within(const NearSolid& solid, const Point& y, double beyond = kNear) {
   return !solid.planes.empty() &&
          std::all_of(solid.planes.begin(), solid.planes.end(), [&](const NearSolid::Plane& plane) {
            return plane.normal.dot(y) + plane.offset <= beyond;
@@ -262,7 +262,6 @@ class PlaneChoice {
         far_(far),
         planes_(planes),
         winding_(winding),
-        cuts_across_(options.cuts_across),
         jobs_(own_.near().size() < kFewForThreads ? 1 : options.jobs) {
     // Volumes are compared in units of which a billion make the leaf's: those that are equal but
     // for rounding are equal.
@@ -339,14 +338,13 @@ class PlaneChoice {
     ++made.level;
     made.judged = {};
     made.size = 0;
-    const bool is_rid_of_far = cuts_across_ && std::abs(planes_[made.plane](far_)) < kNear;
     std::vector<Point> more;
     if (made.level == kLevels) more = own_.new_corners(planes_[made.plane], winding_);
     for (std::size_t k = 0; k < 2; ++k) {
       std::vector<Point>& half = halves[k];
       half.insert(half.end(), more.begin(), more.end());
       NearSolid hull = hull_at(made.level, half, made.hulls[k]);
-      made.judged.held += !is_rid_of_far && is_within(hull, far_, kNear) ? 1 : 0;
+      made.judged.held += is_within(hull, far_) ? 1 : 0;
       made.judged.volume += hull.volume;
       if (made.level == 1) made.hulls[k] = std::move(hull);
       // What is flat has no volume: then smaller is better.
@@ -362,7 +360,6 @@ class PlaneChoice {
   const Point& far_;
   std::span<const CutPlane> planes_;
   const Winding* winding_;
-  const bool cuts_across_;
   const std::size_t jobs_;
   const std::vector<Point> directions_ = half_of_directions();
   double whole_ = 0;

@@ -17,7 +17,7 @@ namespace convexact {
 /// ones. Nothing if there is none.
 /// @param far      The point of the leaf's hull to get rid of, in the frame.
 /// @param winding  Null for an open surface.
-/// @param options  For `cuts_across`, and the threads, on which the choice does not depend.
+/// @param options  For the threads, on which the choice does not depend, and the watch.
 /// @return An index into `planes`.
 /// @par Cost  For each plane the leaf's edges, and hulls of 26 points; hulls of up to 216, of 1,944
 ///            and then of all points, where these do not rule the plane out.

@@ -52,7 +52,7 @@ class Cutter {
         limit_(limit),
         options_(options),
         points_(surface, limit.frame(), options.is_exact),
-        notches_(surface, points_, options.only_facets),
+        notches_(surface, points_, options.planes),
         cutter_(surface, winding, points_, planes_, options.watch) {}
 
   Partition run() {
@@ -163,13 +163,15 @@ class Cutter {
                                         [&](const CutPlane& x) { return x.exact == plane; });
       if (!is_known) tried.emplace_back(plane, points_.frame());
     };
-    if (options_.only_facets || depth_[n] < kDeepest) {
-      for (const Halfspace& plane : notches_.planes(leaf.notches)) add(plane);
-      if (!options_.only_facets) {
-        for (const Point& direction : directions()) {
-          add(plane_across(direction, far, points_.frame()));
-        }
+    const auto add_through_far = [&] {
+      for (const Point& direction : directions()) {
+        add(plane_across(direction, far, points_.frame()));
       }
+    };
+    const bool only_facets = options_.planes == CutPlanes::Facets;
+    if (only_facets || depth_[n] < kDeepest) {
+      for (const Halfspace& plane : notches_.planes(leaf.notches)) add(plane);
+      if (options_.planes == CutPlanes::All) add_through_far();
     } else {
       add(halving_plane(leaf));
     }
@@ -178,8 +180,13 @@ class Cutter {
       return choose_plane(leaf, far, tried, points_, winding_, options_);
     };
     auto best = choose();
+    if (!best && options_.planes == CutPlanes::Bisectors) {
+      tried.clear();
+      add_through_far();
+      best = choose();
+    }
     // Bodies with room between them have no notch there.
-    for (std::size_t k = 0; !best && options_.only_facets && k < leaf.pieces.size();) {
+    for (std::size_t k = 0; !best && only_facets && k < leaf.pieces.size();) {
       tried.clear();
       for (; k < leaf.pieces.size() && tried.size() < kMostFacets; ++k) {
         const std::uint32_t t = leaf.pieces[k].triangle;

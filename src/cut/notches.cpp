@@ -53,10 +53,10 @@ PointId opposite(const Triangle& triangle, PointId a, PointId b) {
 
 }  // namespace
 
-Notches::Notches(const Surface& surface, const CutPoints& points, bool only_facets)
-    : surface_(surface), points_(points), only_facets_(only_facets) {
+Notches::Notches(const Surface& surface, const CutPoints& points, CutPlanes kind)
+    : surface_(surface), points_(points), kind_(kind) {
   EdgeTable(surface.triangles).for_each([&](std::span<const EdgeUse> uses) {
-    if (uses.size() != 2 && !only_facets_) return;
+    if (uses.size() != 2 && kind_ != CutPlanes::Facets) return;
     for (std::size_t k = 1; k < uses.size(); ++k) add(uses[k - 1], uses[k], uses.size() == 2);
   });
 }
@@ -110,9 +110,11 @@ std::vector<Halfspace> Notches::planes(const std::vector<NotchEdge>& notches) co
   std::vector<Halfspace> list;
   for (auto it = order.begin(); it != last; ++it) {
     const Edge& edge = edges_[it->second->edge];
-    list.push_back(turned(triangle_plane(surface_, edge.left)));
-    list.push_back(turned(triangle_plane(surface_, edge.right)));
-    if (only_facets_) continue;
+    if (kind_ != CutPlanes::Bisectors) {
+      list.push_back(turned(triangle_plane(surface_, edge.left)));
+      list.push_back(turned(triangle_plane(surface_, edge.right)));
+    }
+    if (kind_ == CutPlanes::Facets) continue;
     if (const auto plane = bisector(edge)) list.push_back(*plane);
   }
   return list;

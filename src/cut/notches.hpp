@@ -4,6 +4,7 @@
 #include <optional>
 #include <vector>
 
+#include "convexact/partition.hpp"
 #include "cut/leaf.hpp"
 #include "surface/edges.hpp"
 
@@ -14,18 +15,18 @@ namespace convexact {
 class Notches {
  public:
   /// Keeps a reference. @par Cost  O(n log n)
-  /// @param only_facets  No planes between facets; and edges of more than two triangles are
-  /// notches,
-  ///                     too, as sheets that touch there may have room between them.
-  Notches(const Surface& surface, const CutPoints& points, bool only_facets);
+  /// @param kind  If only planes of facets, then edges of more than two triangles are notches, too,
+  ///              as sheets that touch there may have room between them.
+  Notches(const Surface& surface, const CutPoints& points, CutPlanes kind);
 
   /// All of them, whole.
   std::vector<NotchEdge> all() const;
   /// What of them lies on one side of a plane.
   std::vector<NotchEdge> clipped(const std::vector<NotchEdge>& notches, const CutPlane& plane,
                                  Sign side) const;
-  /// Both facets' planes at the strongest of them, and the plane between these; the strongest
-  /// first. Strength is the squared length times 1 - c |c|, with c the cosine between the normals.
+  /// Both facets' planes at the strongest of them, and the plane between these, as far as they are
+  /// of this kind; the strongest first. Strength is the squared length times 1 - c |c|, with c the
+  /// cosine between the normals.
   std::vector<Halfspace> planes(const std::vector<NotchEdge>& notches) const;
 
  private:
@@ -39,7 +40,7 @@ class Notches {
 
   const Surface& surface_;
   const CutPoints& points_;
-  const bool only_facets_;
+  const CutPlanes kind_;
   std::vector<Edge> edges_;
 };
 

@@ -21,12 +21,13 @@ constexpr const char* kMerge = "merge by reach";
 // One way to cut, of which more effort tries several.
 struct Way {
   Rational fineness;  // how many times the leaves' distance goes into that of the parts
-  bool cuts_across = false;
+  CutPlanes planes = CutPlanes::All;
 };
 
 std::vector<Way> ways(CutEffort effort, bool is_exact) {
-  if (effort != CutEffort::High || is_exact) return {{2}};
-  return {{2}, {Rational(14, 5)}, {Rational(8, 5)}, {4}, {2, true}};
+  if (is_exact) return {{2, CutPlanes::Facets}};
+  if (effort != CutEffort::High) return {{2}};
+  return {{2}, {Rational(14, 5)}, {Rational(8, 5)}, {4}, {2, CutPlanes::Bisectors}};
 }
 
 int rounds_of(CutEffort effort) {
@@ -90,8 +91,7 @@ class PartCutter {
       ReachLimit fine(surface_, winding_, Rational(squared / (way.fineness * way.fineness)));
       Partition partition = cut(surface_, winding_, fine,
                                 {.is_exact = request_.engine == Engine::Exact,
-                                 .only_facets = request_.distance && request_.distance->value == 0,
-                                 .cuts_across = way.cuts_across,
+                                 .planes = way.planes,
                                  .jobs = request_.jobs.value_or(all_cores()),
                                  .watch = watch});
       cells = fine.cells();

@@ -270,8 +270,9 @@ TEST_CASE("cut: the exact engine cuts alike" * sweep) {
   for (int k = 0; k < 12; ++k) {
     CAPTURE(k);
     const Mesh mesh = k % 2 == 0 ? mesh_of_cells(random_cells(random)) : turned_boxes(random, 2);
-    const Cut filtered(mesh, "1/20"),
-        exact(mesh, "1/20", {.max_leaves = {}, .is_exact = true, .watch = {}});
+    const CutPlanes planes = k % 3 == 0 ? CutPlanes::Bisectors : CutPlanes::All;
+    const Cut filtered(mesh, "1/20", {.planes = planes}),
+        exact(mesh, "1/20", {.is_exact = true, .planes = planes});
     CHECK(same_planes(filtered.partition, exact.partition));
   }
 }
@@ -295,7 +296,7 @@ TEST_CASE("cut: a ring is cut along chords, or across if asked to") {
   }
   tube.points = PointSet(points);
   // Within 1.5% of the diameter are sectors of three sides.
-  const Cut along(tube, "3/200"), across(tube, "3/200", {.cuts_across = true});
+  const Cut along(tube, "3/200"), across(tube, "3/200", {.planes = CutPlanes::Bisectors});
   CHECK(across.partition.leaves.size() == 8);
   CHECK(along.partition.leaves.size() > 8);
   check_promises(across);
