@@ -277,6 +277,12 @@ TEST_CASE("cut: the exact engine cuts alike" * sweep) {
   }
 }
 
+TEST_CASE("cut: boxes apart have no notch, and are parted all the same") {
+  const Cut made(mesh_of_cells({{0, 0, 0}, {3, 0, 0}}), "1/20", {.planes = CutPlanes::Bisectors});
+  check_promises(made);
+  CHECK(made.volumes() == 2);
+}
+
 TEST_CASE("cut: a ring is cut along chords, or across if asked to") {
   Mesh tube;
   std::vector<Point> points;
