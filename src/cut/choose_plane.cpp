@@ -15,46 +15,6 @@
 namespace convexact {
 namespace {
 
-// The axes and the diagonals of a cube and its faces, one of each two opposite ones.
-std::vector<Point> half_of_directions() {
-  std::vector<Point> list;
-  for (int u = 0; u <= 1; ++u) {
-    for (int v = -1; v <= 1; ++v) {
-      for (int w = -1; w <= 1; ++w) {
-        if (std::tuple(u, v, w) > std::tuple(0, 0, 0)) list.emplace_back(u, v, w);
-      }
-    }
-  }
-  return list;
-}
-
-// Those of some points, each once.
-std::vector<Point> chosen_of(const std::vector<Point>& points, std::vector<std::size_t> chosen) {
-  std::sort(chosen.begin(), chosen.end());
-  chosen.erase(std::unique(chosen.begin(), chosen.end()), chosen.end());
-  std::vector<Point> list;
-  for (const std::size_t k : chosen) list.push_back(points[k]);
-  return list;
-}
-
-// Points that are extreme in these directions: their hull lies in that of all points.
-std::vector<Point> extremes_of(const std::vector<Point>& points,
-                               std::span<const Point> directions) {
-  std::vector<std::size_t> found;
-  for (const Point& along : directions) {
-    std::size_t lowest = 0, highest = 0;
-    double low = HUGE_VAL, high = -HUGE_VAL;
-    for (std::size_t k = 0; k < points.size(); ++k) {
-      const double x = along.dot(points[k]);
-      if (x < low) std::tie(low, lowest) = std::tuple(x, k);
-      if (x > high) std::tie(high, highest) = std::tuple(x, k);
-    }
-    found.push_back(lowest);
-    found.push_back(highest);
-  }
-  return chosen_of(points, std::move(found));
-}
-
 NearBox box_of(const std::vector<Point>& points) {
   NearBox box;
   for (const Point& y : points) box.include(y);
@@ -79,7 +39,7 @@ std::size_t cell_towards(const Point& to, std::size_t n) {
 }
 
 // In each such cell, seen from the middle of the points' box, the farthest point; the box counts as
-// a cube. Far more of them than of extremes are found in the same time.
+// a cube. Their hull lies in that of all points.
 std::vector<Point> farthest_of(const std::vector<Point>& points, std::size_t n) {
   const NearBox box = box_of(points);
   const Point middle = (box.low + box.high) / 2;
@@ -96,11 +56,11 @@ std::vector<Point> farthest_of(const std::vector<Point>& points, std::size_t n) 
     auto& cell = farthest[cell_towards(to, n)];
     if (distance > cell.first) cell = {distance, k};
   }
-  std::vector<std::size_t> found;
+  std::vector<Point> found;
   for (const auto& [distance, point] : farthest) {
-    if (point != kNone) found.push_back(point);
+    if (point != kNone) found.push_back(points[point]);
   }
-  return chosen_of(points, std::move(found));
+  return found;
 }
 
 // On a grid that is far coarser than doubles. Points that lie in a cutting plane but for their last
@@ -286,8 +246,8 @@ class PlaneChoice {
   }
 
  private:
-  // Hulls of extremes, of a few hundred points, of some more, of all.
-  static constexpr int kLevels = 3;
+  // Hulls of a few hundred points, of some more, of all.
+  static constexpr int kLevels = 2;
   static constexpr std::size_t kFew = 6, kMany = 18;
   // Below that many points a thread takes longer to start than to judge.
   static constexpr std::size_t kFewForThreads = 1000;
@@ -310,10 +270,8 @@ class PlaneChoice {
   NearSolid hull_at(int level, const std::vector<Point>& points, const NearSolid& inner) const {
     switch (level) {
       case 0:
-        return near_solid(extremes_of(points, directions_));
-      case 1:
         return near_solid(farthest_of(points, kFew));
-      case 2:
+      case 1:
         return near_solid(farthest_of(points, kMany));
       default:
         return hull_around(inner, points);
@@ -346,7 +304,7 @@ class PlaneChoice {
       NearSolid hull = hull_at(made.level, half, made.hulls[k]);
       made.judged.held += is_within(hull, far_) ? 1 : 0;
       made.judged.volume += hull.volume;
-      if (made.level == 1) made.hulls[k] = std::move(hull);
+      if (made.level == 0) made.hulls[k] = std::move(hull);
       // What is flat has no volume: then smaller is better.
       if (!(whole_ > 0)) made.size += size_of(half);
     }
@@ -361,7 +319,6 @@ class PlaneChoice {
   std::span<const CutPlane> planes_;
   const Winding* winding_;
   const std::size_t jobs_;
-  const std::vector<Point> directions_ = half_of_directions();
   double whole_ = 0;
   std::set<Candidate> queue_;
 };

@@ -36,32 +36,33 @@ DoublePoints::DoublePoints(std::span<const Point> points) : points_(points), nea
     low_ = low_.cwiseMin(p);
     high_ = high_.cwiseMax(p);
   }
-  compute_near((to_rational(low_) + to_rational(high_)) / Rational(2));
+  double_center_ = low_ / 2 + high_ / 2;
+  compute_near();
 }
 
+// Hulls of few points are asked for by the thousand, so fractions are made only where a double will
+// not do: as the center, one that is strictly inside of the simplex will.
 void DoublePoints::center_at(const std::array<PointId, 4>& simplex) {
-  RationalPoint sum = rational(simplex[0]);
-  for (int k = 1; k < 4; ++k) sum += rational(simplex[k]);
-  center_ = sum / Rational(4);
-  Point rounded;
-  for (int axis = 0; axis < 3; ++axis) {
-    rounded[axis] = to_double(center_[axis], Rounding::Nearest);
+  const std::array<Point, 4> corners{at(simplex[0]), at(simplex[1]), at(simplex[2]),
+                                     at(simplex[3])};
+  double_center_ = (corners[0] / 4 + corners[1] / 4) + (corners[2] / 4 + corners[3] / 4);
+  if (!is_strictly_inside(*double_center_, corners)) {
+    double_center_.reset();
+    RationalPoint sum = rational(simplex[0]);
+    for (int k = 1; k < 4; ++k) sum += rational(simplex[k]);
+    center_ = sum / Rational(4);
   }
-  if (is_strictly_inside(rounded,
-                         {at(simplex[0]), at(simplex[1]), at(simplex[2]), at(simplex[3])})) {
-    center_ = to_rational(rounded);
-    double_center_ = rounded;
-  }
-  compute_near(center_);
+  compute_near();
 }
 
-void DoublePoints::compute_near(const RationalPoint& center) {
+void DoublePoints::compute_near() {
   for (int axis = 0; axis < 3; ++axis) {
     const double extent = high_[axis] / 2 - low_[axis] / 2;  // halved: no overflow
     const int exponent = exponent_of(extent) + 1;  // extent <= 2^(exponent - 1), though rounded
     if (std::abs(exponent) > 900 || std::max(-low_[axis], high_[axis]) > 0x1p1000) {
+      const Rational center = double_center_ ? to_rational((*double_center_)[axis]) : center_[axis];
       for (std::size_t i = 0; i < size(); ++i) {
-        const Rational shifted = to_rational(points_[i][axis]) - center[axis];
+        const Rational shifted = to_rational(points_[i][axis]) - center;
         coordinate(near_[i], axis) =
             to_double(scale_by_power_of_two(shifted, -exponent), Rounding::Nearest);
       }
@@ -71,8 +72,13 @@ void DoublePoints::compute_near(const RationalPoint& center) {
     // the center, so its extent is at least u |center|. The error relative to the extent is u from
     // `low`, 1u from each subtraction. Scaling by a power of two is exact, or an underflow far
     // below kNearError.
-    const double high = to_double(center[axis], Rounding::Nearest);
-    const double low = to_double(center[axis] - to_rational(high), Rounding::Nearest);
+    double high, low = 0;
+    if (double_center_) {
+      high = (*double_center_)[axis];
+    } else {
+      high = to_double(center_[axis], Rounding::Nearest);
+      low = to_double(center_[axis] - to_rational(high), Rounding::Nearest);
+    }
     const double scale = std::ldexp(1.0, -exponent);
     for (std::size_t i = 0; i < size(); ++i) {
       coordinate(near_[i], axis) = ((points_[i][axis] - high) - low) * scale;

@@ -79,8 +79,8 @@ bool are_collinear(const Points& points, PointId a, PointId b, PointId c) {
 class DoublePoints {
  public:
   explicit DoublePoints(std::span<const Point> points);
-  /// The center becomes the centroid of four points that span a volume, rounded to doubles if that
-  /// is strictly inside of them, too: signs about a center of doubles are those of orient3d().
+  /// The center becomes the centroid of four points that span a volume, in doubles if what comes
+  /// out is strictly inside of them, too: signs about a center of doubles are those of orient3d().
   void center_at(const std::array<PointId, 4>& simplex);
 
   std::size_t size() const { return points_.size(); }
@@ -93,13 +93,13 @@ class DoublePoints {
 
  private:
   const Point& at(PointId p) const { return points_[p.index()]; }
-  void compute_near(const RationalPoint& center);
+  void compute_near();
 
   std::span<const Point> points_;
   std::vector<NearPoint> near_;
   Point low_ = Point::Zero(), high_ = Point::Zero();  // the box
-  RationalPoint center_;
-  std::optional<Point> double_center_;  // the same, if its coordinates are doubles
+  std::optional<Point> double_center_;                // the center, or
+  RationalPoint center_;                              // where doubles will not do
 };
 static_assert(ExactPoints<DoublePoints>);
 

@@ -34,7 +34,7 @@ void register_scene_bench(const std::vector<BenchInput>& inputs);
 /// surface and of the solid. overlay/union-growth/PARTS: overlapping random solids.
 void register_overlay_bench(const std::vector<std::string>& meshes);
 /// clusters-of-MESH/filtered, /float, /hacd (the peer), /owners: the triangles in clusters of 3%,
-/// and the test that the parts hold them; clusters-of-MESH-1000/exact, /filtered: the first 1,000
+/// and the test that the parts hold them; clusters-of-MESH-300/exact, /filtered: the first 300
 /// triangles. cluster-growth/TRIANGLES: one shape, more and more finely.
 void register_cluster_bench(const std::vector<std::string>& meshes);
 /// clusters-of-MESH/acd, /acd-paths: the triangles split at notches until 3%, and of that run the
