@@ -41,6 +41,67 @@ bool says(const CheckerVerdict& verdict, const std::string& text) {
   return verdict.said.find(text) != std::string::npos;
 }
 
+// Proofs by hand about a cube with a corner at 0.
+class CubeProof {
+ public:
+  explicit CubeProof(int size) {
+    const Surface surface = make_surface(mesh_of_cells({{0, 0, 0}}));
+    for (const Point& p : surface.points.doubles()) {
+      line("point " + words_of([&](int axis) { return std::to_string(size * int(p[axis])); }));
+    }
+    for (std::size_t t = 0; t < surface.triangles.size(); ++t) {
+      const auto& [a, b, c] = surface.triangles[t];
+      line("triangle " + std::to_string(a.value) + " " + std::to_string(b.value) + " " +
+           std::to_string(c.value) + " " + std::to_string(surface.face[t]));
+    }
+  }
+
+  void line(const std::string& words) {
+    text_ += words + "\n";
+    ++lines_;
+  }
+
+  // What looks like a box: the corner with bits x + 2y + 4z is coordinate(bits, axis).
+  template <class Coordinate>
+  void part(Coordinate coordinate, bool is_mirrored) {
+    line("part");
+    for (int bits = 0; bits < 8; ++bits) {
+      line("corner " + words_of([&](int axis) { return coordinate(bits, axis); }));
+    }
+    for (const auto& [a, b, c] : std::vector<std::array<int, 3>>{{0, 2, 1},
+                                                                 {1, 2, 3},
+                                                                 {4, 5, 6},
+                                                                 {5, 7, 6},
+                                                                 {0, 1, 4},
+                                                                 {1, 5, 4},
+                                                                 {2, 6, 3},
+                                                                 {3, 6, 7},
+                                                                 {0, 4, 2},
+                                                                 {2, 4, 6},
+                                                                 {1, 3, 5},
+                                                                 {3, 7, 5}}) {
+      line("facet " + std::to_string(a) + " " + std::to_string(is_mirrored ? c : b) + " " +
+           std::to_string(is_mirrored ? b : c));
+    }
+  }
+
+  CheckerVerdict verdict() {
+    line("end " + std::to_string(lines_ + 1));
+    return check_proof(text_);
+  }
+
+ private:
+  template <class Word>
+  static std::string words_of(Word word) {
+    return word(0) + " " + word(1) + " " + word(2);
+  }
+
+  std::string text_ = "convexact-proof 6 partition\n";
+  std::size_t lines_ = 1;
+};
+
+constexpr const char* kNotHeld = "a corner of a region is in the solid, and not in the part";
+
 void check_accepted(const Mesh& mesh, bool is_open) {
   const std::string text = proof_of_cuts(mesh);
   CHECK(text.starts_with("convexact-proof 6 partition\n"));
@@ -162,73 +223,66 @@ TEST_CASE("partition proof: planes between disjoint parts") {
   CHECK(check_proof(less.text()).exit_code != 0);
 }
 
-// A cube of 2, cut into octants by hand; one part for each, but none has the middle of the cube.
+// A cube of 2 in octants; where the corners at its middle are cut off, no part has that.
 TEST_CASE("partition proof: a corner of a region inside of the solid must be held") {
-  std::string text = "convexact-proof 6 partition\n";
-  std::size_t lines = 1;
-  const auto line = [&](const std::string& words) {
-    text += words + "\n";
-    ++lines;
-  };
-  const Mesh mesh = mesh_of_cells({{0, 0, 0}});
-  const Surface surface = make_surface(mesh);
-  for (const Point& p : surface.points.doubles()) {
-    line("point " + std::to_string(int(2 * p[0])) + " " + std::to_string(int(2 * p[1])) + " " +
-         std::to_string(int(2 * p[2])));
-  }
-  for (std::size_t t = 0; t < surface.triangles.size(); ++t) {
-    const auto& [a, b, c] = surface.triangles[t];
-    line("triangle " + std::to_string(a.value) + " " + std::to_string(b.value) + " " +
-         std::to_string(c.value) + " " + std::to_string(surface.face[t]));
-  }
-  const auto write = [&](const std::string& middle) {
-    const std::string before = text;
-    const std::size_t count = lines;
+  for (const bool has_middle : {true, false}) {
+    CubeProof proof(2);
     for (int octant = 0; octant < 8; ++octant) {
-      line("part");
-      for (int k = 0; k < 8; ++k) {
-        std::string words = "corner";
-        for (int axis = 0; axis < 3; ++axis) {
-          const bool is_outer = (k >> axis & 1) != 0;
-          const bool is_high = (octant >> axis & 1) != 0;
-          words += is_outer ? (is_high ? " 2" : " 0") : k == 0 ? " " + middle : std::string(" 1");
-        }
-        line(words);
-      }
-      const bool is_turned = (octant & 1) ^ (octant >> 1 & 1) ^ (octant >> 2 & 1);
-      for (const auto& [a, b, c] : std::vector<std::array<int, 3>>{{0, 1, 2},
-                                                                   {1, 3, 2},
-                                                                   {4, 6, 5},
-                                                                   {5, 6, 7},
-                                                                   {0, 4, 1},
-                                                                   {1, 4, 5},
-                                                                   {2, 3, 6},
-                                                                   {3, 7, 6},
-                                                                   {0, 2, 4},
-                                                                   {2, 6, 4},
-                                                                   {1, 5, 3},
-                                                                   {3, 5, 7}}) {
-        // Outward along x when the octant is the lowest.
-        line("facet " + std::to_string(a) + " " + std::to_string(is_turned ? c : b) + " " +
-             std::to_string(is_turned ? b : c));
-      }
+      const auto coordinate = [&](int bits, int axis) -> std::string {
+        const bool is_high = (octant >> axis & 1) != 0;
+        if ((bits >> axis & 1) != 0) return is_high ? "2" : "0";
+        if (bits != 0 || has_middle) return "1";
+        return is_high ? "4/3" : "2/3";  // in the plane of the three corners next to it
+      };
+      const bool is_even = ((octant & 1) ^ (octant >> 1 & 1) ^ (octant >> 2 & 1)) == 0;
+      proof.part(coordinate, is_even);
     }
-    line("node cut 1 0 0 -1");
+    proof.line("node cut 1 0 0 -1");
     for (int x = 0; x < 2; ++x) {
-      line("node cut 0 1 0 -1");
+      proof.line("node cut 0 1 0 -1");
       for (int y = 0; y < 2; ++y) {
-        line("node cut 0 0 1 -1");
-        for (int z = 0; z < 2; ++z) line("node part " + std::to_string(x + 2 * y + 4 * z));
+        proof.line("node cut 0 0 1 -1");
+        for (int z = 0; z < 2; ++z) proof.line("node part " + std::to_string(x + 2 * y + 4 * z));
       }
     }
-    line("end " + std::to_string(lines + 1));
-    const CheckerVerdict verdict = check_proof(text);
-    text = before;
-    lines = count;
-    return verdict;
-  };
-  const CheckerVerdict whole = write("1");
-  CHECK_MESSAGE(whole.exit_code == 0, whole.said);
-  const CheckerVerdict hollowed = write("9/10");
-  CHECK(hollowed.exit_code == 1);
+    const CheckerVerdict verdict = proof.verdict();
+    INFO(verdict.said);
+    CHECK(verdict.exit_code == (has_middle ? 0 : 1));
+    if (!has_middle) CHECK(says(verdict, kNotHeld));
+  }
+}
+
+// A cube of 3 in slabs around a cube of 1, which no triangle reaches.
+TEST_CASE("partition proof: a region without triangles is not empty because of that") {
+  for (const bool is_called_empty : {false, true}) {
+    CubeProof proof(3);
+    int low[3] = {0, 0, 0}, high[3] = {3, 3, 3};
+    const auto add_box = [&] {
+      proof.part(
+          [&](int bits, int k) { return std::to_string((bits >> k & 1) ? high[k] : low[k]); },
+          false);
+    };
+    for (int axis = 0; axis < 3; ++axis) {
+      high[axis] = 1;
+      add_box();
+      low[axis] = 2;
+      high[axis] = 3;
+      add_box();
+      low[axis] = 1;
+      high[axis] = 2;
+    }
+    add_box();
+    for (int axis = 0; axis < 3; ++axis) {
+      std::string normal = axis == 0 ? "1 0 0" : axis == 1 ? "0 1 0" : "0 0 1";
+      proof.line("node cut " + normal + " -1");
+      proof.line("node part " + std::to_string(2 * axis));
+      proof.line("node cut " + normal + " -2");
+    }
+    proof.line(is_called_empty ? "node empty" : "node part 6");
+    for (int axis = 2; axis >= 0; --axis) proof.line("node part " + std::to_string(2 * axis + 1));
+    const CheckerVerdict verdict = proof.verdict();
+    INFO(verdict.said);
+    CHECK(verdict.exit_code == (is_called_empty ? 1 : 0));
+    if (is_called_empty) CHECK(says(verdict, kNotHeld));
+  }
 }

@@ -9,6 +9,7 @@
 #include "cells.hpp"
 #include "convexact/reach.hpp"
 #include "expect_error.hpp"
+#include "hull/near_solid.hpp"
 #include "near/frame.hpp"
 #include "number/random.hpp"
 #include "reach/clear_cell.hpp"
@@ -431,6 +432,22 @@ TEST_CASE("reach: what a part has in a clear cell is near, in exact numbers" * s
 }
 
 // So thin that moving planes inward by roundings would turn them inside out.
+TEST_CASE("reach: what is about as thin as roundings is not made smaller") {
+  const World world(support::box_mesh({{0, 0, 0}, {4, 4, 4}}));
+  const BoundingBox box[] = {bounding_box(world.surface.points)};
+  ReachCells octree(world.surface, &*world.winding, frame_around(box), squared_of(0x1p-10));
+  for (int bits = 2; bits < 52; ++bits) {
+    CAPTURE(bits);
+    const NearPart part(near_solid(std::vector<Point>{
+        {0, 0, 0}, {0.5, 0, 0}, {0, 0.5, 0}, {0.25, 0.25, std::ldexp(1.0, -bits)}}));
+    REQUIRE(part.planes() == 4);
+    const std::optional<InnerPart> inner = inner_part(octree, part);
+    if (bits < 8) CHECK(inner);
+    if (inner) CHECK(inner->share < 0x1p-10);
+    if (bits > 40) CHECK_FALSE(inner);
+  }
+}
+
 TEST_CASE("reach: slivers just beyond T are not within") {
   const World world(support::box_mesh({{-0.48, -0.48, -0.48}, {-0.25, 0.48, 0.48}}));
   const ConvexPart frame = part_of(Box{{-0.48, -0.48, -0.48}, {0.48, 0.48, 0.48}});

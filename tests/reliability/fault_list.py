@@ -267,7 +267,7 @@ FAULTS = [
     (STALE, 'surface/cut_lowest', '    test(a);\n', '', 'surface'),
     (TIE, 'decompose/is_within', 'return cluster.concavity.high <= limit.low;', 'return cluster.concavity.low <= limit.high;', 'decompose'),
     (LIMIT, 'decompose/join_whole_groups', 'is_whole[lowest] = true;', 'is_whole[triangles.back().index()] = true;', 'decompose'),
-    (LIMIT, 'oracle/points_outside', 'if (!is_held[p]) asked', 'if (is_held[p]) asked', 'parts'),
+    (LIMIT, 'oracle/points_outside', 'if (!is_held[p]) asked', 'if (is_held[p]) asked', 'oracle'),
     (SKIP, 'surface/clip_ears', '  if (!is_planar(points, corners, area)) return NotCut::Bent;\n', '', 'surface'),
     (SKIP, 'surface/consistent_patches', '          patches.has_one_side[patch] = true;\n',
      '', 'surface'),
