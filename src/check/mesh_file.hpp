@@ -243,7 +243,7 @@ class MeshReader {
     if (!is_exact && bytes_.find('\0') == std::string::npos) {
       read_text_stl();
     } else {
-      expect(has_header && size <= bytes_.size(), "as many bytes as its triangles take");
+      expect(size <= bytes_.size(), "as many bytes as its triangles take");
       expect(is_exact || !begins_as_text(), "text or bytes, not both");
       read_binary_stl(triangles.get_num().get_ui());
     }

@@ -87,7 +87,7 @@ class PartitionProof : public SurfaceProof {
 
   // (15) The nodes in preorder: a plane cuts a region into two, or one part holds what it has.
   void read_node(const Polygons& region, const Polygons& pieces, std::size_t depth) {
-    static constexpr std::size_t kDeepest = 10000;
+    static constexpr std::size_t kDeepest = 1000;  // for the stack, under sanitizers as well
     expect(words_.take_if("node") && depth < kDeepest, "node");
     if (words_.take_if("part")) {
       require_held(region, pieces, parts_[words_.id(parts_.size())]);

@@ -185,6 +185,32 @@ TEST_CASE("partition proof: other planes, and other parts for a region") {
   CHECK(refused > 0);
 }
 
+TEST_CASE("partition proof: no keyword can be left out, and none is another") {
+  for (const auto& cells : {kBin, hollow()}) {
+    const ProofText good(proof_of_cuts(mesh_of_cells(cells)));
+    good.for_each_keyword_changed([&](const ProofText& forged) {
+      CAPTURE(forged.text(true));
+      CHECK(check_proof(forged.text(true)).exit_code != 0);
+    });
+  }
+}
+
+TEST_CASE("partition proof: regions are not cut without end") {
+  // Ever thinner slabs of the box around the bin, which begins at -1.
+  ProofText forged(proof_of_cuts(mesh_of_cells(kBin)));
+  const std::size_t first = forged.all("node").front();
+  std::vector<std::vector<std::string>> cuts;
+  for (int k = 2; k < 1'100; ++k) {
+    const std::string offset = std::to_string(k - 1) + "/" + std::to_string(k);
+    cuts.push_back({"node", "cut", "1", "0", "0", offset});
+  }
+  const auto at = forged.lines.begin() + static_cast<std::ptrdiff_t>(first);
+  forged.lines.insert(at, cuts.begin(), cuts.end());
+  const CheckerVerdict verdict = check_proof(forged.text(true));
+  CHECK(verdict.exit_code == 3);
+  CHECK_MESSAGE(says(verdict, "line " + std::to_string(first + 1'001)), verdict.said);
+}
+
 TEST_CASE("partition proof: planes between disjoint parts") {
   DecomposeRequest request;
   request.method = DecomposeMethod::Cut;

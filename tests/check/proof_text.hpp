@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: MIT
 // proof_text.hpp - a proof as lines of words, to be changed.
 #pragma once
+#include <cctype>
+#include <set>
 #include <sstream>
 #include <string>
+#include <utility>
 #include <vector>
 
 struct ProofText {
@@ -38,5 +41,23 @@ struct ProofText {
       if (lines[l][0] == keyword) found.push_back(l);
     }
     return found;
+  }
+
+  /// Calls f with each keyword of each kind of line left out, and spelt otherwise.
+  template <class F>
+  void for_each_keyword_changed(F f) const {
+    std::set<std::pair<std::string, std::string>> seen;
+    for (std::size_t l = 0; l < lines.size(); ++l) {
+      for (std::size_t w = 0; w < lines[l].size(); ++w) {
+        const std::string& word = lines[l][w];
+        const bool is_keyword = std::isalpha(static_cast<unsigned char>(word[0])) != 0;
+        if (!is_keyword || !seen.emplace(lines[l][0], word).second) continue;
+        ProofText changed = *this;
+        changed.lines[l][w] += 's';
+        f(changed);
+        changed.lines[l].erase(changed.lines[l].begin() + static_cast<std::ptrdiff_t>(w));
+        f(changed);
+      }
+    }
   }
 };

@@ -85,6 +85,9 @@ TEST_CASE("reach proof: a smaller distance, another root, other cells and direct
   forged.lines[first(forged, "root", "")][4] = "1/2";
   CHECK(verdict_on(forged).exit_code == 1);
   forged = good;
+  forged.lines[first(forged, "root", "")][4] = "0";
+  check_refused(forged, 1, "the root has no size");
+  forged = good;
   forged.lines[first(forged, "cell", "near")] = {"cell", "inside"};
   check_refused(forged, 1, "a triangle meets a cell of the inside");
   forged = good;
@@ -204,6 +207,39 @@ TEST_CASE("reach proof: a cell outside is not inside, whatever touches it") {
   CHECK(tried > 97);
 }
 
+TEST_CASE("reach proof: what a cell of the inside is told by is one itself, and touches it") {
+  const ProofText good = slot_proof();
+  const std::vector<std::size_t> cells = good.all("cell");
+  const auto kind_of = [&](std::size_t number) { return good.lines[cells[number]][1]; };
+  std::size_t inside = 0;
+  while (kind_of(inside) != "inside") ++inside;
+  std::size_t tried = 0, without_triangles = 0;
+  for (std::size_t number = inside + 1; number < cells.size(); ++number) {
+    if (kind_of(number) != "open" || kind_of(number - 1) == "inside" || ++tried % 97 != 0) continue;
+    for (const std::size_t beside : {inside, number - 1}) {
+      ProofText forged = good;
+      forged.lines[cells[number]] = {"cell", "inside", std::to_string(beside)};
+      const CheckerVerdict verdict = verdict_on(forged);
+      CHECK(verdict.exit_code == 1);
+      if (verdict.said.find("a triangle meets a cell of the inside") != std::string::npos) continue;
+      CHECK_MESSAGE(
+          verdict.said.find("a cell does not touch one of the inside") != std::string::npos,
+          verdict.said);
+      ++without_triangles;
+    }
+  }
+  CHECK(without_triangles > 1);
+}
+
+TEST_CASE("reach proof: an open surface has no inside") {
+  Mesh open = slot();
+  open.polygons.pop_back();
+  open.parts.clear();
+  ProofText forged(proof_of_parts(open, guarded()));
+  forged.lines[first(forged, "cell", "open")] = {"cell", "inside"};
+  check_refused(forged, 1, "the surface is not closed: it has no inside");
+}
+
 TEST_CASE("reach proof: no line of the claim can be left out" * sweep) {
   const ProofText good = slot_proof();
   const std::size_t from = first(good, "reach", "");
@@ -218,6 +254,27 @@ TEST_CASE("reach proof: no line of the claim can be left out" * sweep) {
   }
   CHECK(tried > 60);
   CHECK(accepted == 0);
+}
+
+TEST_CASE("reach proof: no keyword can be left out, and none is another") {
+  const ProofText good = slot_proof();
+  std::size_t tried = 0;
+  good.for_each_keyword_changed([&](const ProofText& forged) {
+    CAPTURE(forged.text(true));
+    CHECK(verdict_on(forged).exit_code != 0);
+    ++tried;
+  });
+  CHECK(tried > 20);
+  ProofText forged = good;
+  forged.lines[first(forged, "point", "")][1] += '\0';
+  CHECK(verdict_on(forged).exit_code == 3);
+}
+
+TEST_CASE("reach proof: cells are halved no more often than doubles can be") {
+  ProofText forged = slot_proof();
+  const auto cells = forged.lines.begin() + std::ptrdiff_t(forged.all("cell").front());
+  forged.lines.insert(cells, 1200, {"cell", "split"});
+  check_refused(forged, 3, "fewer halvings");
 }
 
 TEST_CASE("reach proof: a root that holds a corner of the parts alone is refused") {

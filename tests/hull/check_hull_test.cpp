@@ -122,6 +122,18 @@ TEST_CASE("check_hull: coplanar triangles in place of a facet") {
   CHECK_FALSE(check_hull(with_facets(hull, facets), points));
 }
 
+TEST_CASE("check_hull: of points that are no doubles") {
+  std::vector<RationalPoint> thirds;
+  for (int k = 0; k < 8; ++k) {
+    thirds.emplace_back(Rational(k & 1, 3), Rational(k >> 1 & 1, 3), Rational(k >> 2, 3));
+  }
+  const PointSet points(thirds);
+  REQUIRE_FALSE(points.is_binary());
+  const Hull hull = std::get<Hull>(convex_hull(points));
+  CHECK(check_hull(hull, points));
+  CHECK_FALSE(check_hull(with_facets(hull, {}), points));
+}
+
 TEST_CASE("check_hull: corners that are not extreme, or in the wrong order") {
   const PointSet points(shapes::grid(3));
   const Hull hull = checked_hull(points);
