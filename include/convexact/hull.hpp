@@ -43,7 +43,8 @@ struct InsideProof {
 
 /// The data that check_hull() needs besides the surface; see docs/design/hull.md.
 struct HullCertificate {
-  /// Four input points that span a volume; their centroid is the interior point.
+  /// Four input points that span a volume; their centroid, or a double near it, is the interior
+  /// point.
   std::array<PointId, 4> simplex;
   /// One entry for each input point that is not extreme, in the order in which the construction
   /// discarded the points: a triangle's corners are extreme or discarded later. A repeat of an

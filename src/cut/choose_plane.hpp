@@ -19,7 +19,7 @@ namespace convexact {
 /// @param winding  Null for an open surface.
 /// @param options  For the threads, on which the choice does not depend, and the watch.
 /// @return An index into `planes`.
-/// @par Cost  For each plane the leaf's edges, and hulls of 26 points; hulls of up to 216, of 1,944
+/// @par Cost  For each plane the leaf's edges, and hulls of up to 216 points; hulls of up to 1,944
 ///            and then of all points, where these do not rule the plane out.
 [[nodiscard]] std::optional<std::size_t> choose_plane(const Leaf& leaf, const Point& far,
                                                       std::span<const CutPlane> planes,

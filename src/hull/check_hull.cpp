@@ -143,8 +143,7 @@ class HullCheck {
     for (const PointId p : ray) sum += dot(normal, near[p.index()]);
     // Three times the error of one, and two sums of values up to 18.
     if (const auto sign = certain_sign(sum, 3 * kCenterBound + 64 * kUnitRoundoff)) return *sign;
-    RationalPoint center = RationalPoint::Zero();
-    for (const PointId p : hull_.certificate.simplex) center += points_.rational(p) / Rational(4);
+    const RationalPoint center = points_.center();
     const RationalVector3 u = points_.rational(a) - center, v = points_.rational(b) - center;
     const RationalVector3 exact = u.cross(v);
     Rational value = 0;

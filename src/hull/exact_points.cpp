@@ -40,8 +40,8 @@ DoublePoints::DoublePoints(std::span<const Point> points) : points_(points), nea
   compute_near();
 }
 
-// Hulls of few points are asked for by the thousand, so fractions are made only where a double will
-// not do: as the center, one that is strictly inside of the simplex will.
+// Hulls of few points are asked for by the thousand, so fractions are made only where the doubles
+// are not strictly inside of the simplex.
 void DoublePoints::center_at(const std::array<PointId, 4>& simplex) {
   const std::array<Point, 4> corners{at(simplex[0]), at(simplex[1]), at(simplex[2]),
                                      at(simplex[3])};
@@ -68,14 +68,14 @@ void DoublePoints::compute_near() {
       }
       continue;
     }
-    // The center as a sum of two doubles, off by u^2 |center|. The box has doubles on both sides of
-    // the center, so its extent is at least u |center|. The error relative to the extent is u from
-    // `low`, 1u from each subtraction. Scaling by a power of two is exact, or an underflow far
-    // below kNearError.
-    double high, low = 0;
+    // Each subtraction is off by 1u relative to the extent. Scaling by a power of two is exact, or
+    // an underflow far below kNearError.
+    double high = 0, low = 0;
     if (double_center_) {
       high = (*double_center_)[axis];
     } else {
+      // As a sum of two doubles, off by u^2 |center|. The box has doubles on both sides of the
+      // center, so its extent is at least u |center|, and that error u of it.
       high = to_double(center_[axis], Rounding::Nearest);
       low = to_double(center_[axis] - to_rational(high), Rounding::Nearest);
     }

@@ -75,13 +75,14 @@ bool are_collinear(const Points& points, PointId a, PointId b, PointId c) {
 }
 
 /// ExactPoints over finite doubles; keeps a reference to them. Until center_at() the near points
-/// are about the middle of the box and center_side() must not be called.
+/// are about a double near the middle of the box and center_side() must not be called.
 class DoublePoints {
  public:
   explicit DoublePoints(std::span<const Point> points);
-  /// The center becomes the centroid of four points that span a volume, in doubles if what comes
-  /// out is strictly inside of them, too: signs about a center of doubles are those of orient3d().
+  /// The center becomes the centroid of four points that span a volume. It is computed in doubles
+  /// if the result is strictly inside of them: signs about such a center are those of orient3d().
   void center_at(const std::array<PointId, 4>& simplex);
+  RationalPoint center() const { return double_center_ ? to_rational(*double_center_) : center_; }
 
   std::size_t size() const { return points_.size(); }
   std::span<const NearPoint> near() const { return near_; }
@@ -98,8 +99,8 @@ class DoublePoints {
   std::span<const Point> points_;
   std::vector<NearPoint> near_;
   Point low_ = Point::Zero(), high_ = Point::Zero();  // the box
-  std::optional<Point> double_center_;                // the center, or
-  RationalPoint center_;                              // where doubles will not do
+  std::optional<Point> double_center_;                // the center, if its coordinates are doubles,
+  RationalPoint center_;                              // and else this
 };
 static_assert(ExactPoints<DoublePoints>);
 
@@ -114,6 +115,10 @@ class HomogeneousPoints {
   explicit HomogeneousPoints(const PointSet& points);
   /// The center becomes the centroid of four points that span a volume.
   void center_at(const std::array<PointId, 4>& simplex);
+  RationalPoint center() const {
+    return {Rational(center_.n[0], center_.w), Rational(center_.n[1], center_.w),
+            Rational(center_.n[2], center_.w)};
+  }
 
   std::size_t size() const { return near_.size(); }
   std::span<const NearPoint> near() const { return near_; }

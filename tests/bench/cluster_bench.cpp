@@ -50,7 +50,7 @@ void cover_by_owners(benchmark::State& state, const Surface& surface) {
 
 #ifdef CONVEXACT_HAVE_HACD
 // Classical HACD grows with the square: the bunny's 69,451 triangles take it over four minutes.
-constexpr std::size_t kMostForHacd = 10'000;
+constexpr std::size_t kMostForHacd = 20'000;
 
 // The library scales its input so that the diagonal of the box is 2,000: 60 is 3%. The weight is
 // that of Bullet's own example; no points are added.

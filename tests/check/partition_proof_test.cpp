@@ -299,7 +299,7 @@ TEST_CASE("partition proof: a region without triangles is not empty because of t
     }
     add_box();
     for (int axis = 0; axis < 3; ++axis) {
-      std::string normal = axis == 0 ? "1 0 0" : axis == 1 ? "0 1 0" : "0 0 1";
+      const std::string normal = axis == 0 ? "1 0 0" : axis == 1 ? "0 1 0" : "0 0 1";
       proof.line("node cut " + normal + " -1");
       proof.line("node part " + std::to_string(2 * axis));
       proof.line("node cut " + normal + " -2");

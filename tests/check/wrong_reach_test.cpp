@@ -266,7 +266,7 @@ TEST_CASE("reach proof: no keyword can be left out, and none is another") {
   });
   CHECK(tried > 20);
   ProofText forged = good;
-  forged.lines[first(forged, "point", "")][1] += '\0';
+  forged.lines[first(forged, "reach", "")][2] += '\0';
   CHECK(verdict_on(forged).exit_code == 3);
 }
 
