@@ -33,9 +33,9 @@ void register_scene_bench(const std::vector<BenchInput>& inputs);
 /// parts by a grid; the volume of their union, and what all of them or the first half leave of the
 /// surface and of the solid. overlay/union-growth/PARTS: overlapping random solids.
 void register_overlay_bench(const std::vector<std::string>& meshes);
-/// clusters-of-MESH/filtered, /float, /hacd (the peer, of at most 20,000), /owners: the triangles in clusters of 3%,
-/// and the test that the parts hold them; clusters-of-MESH-300/exact, /filtered: the first 300
-/// triangles. cluster-growth/TRIANGLES: one shape, more and more finely.
+/// clusters-of-MESH/filtered, /float, /hacd (the peer, of at most 20,000), /owners: the triangles
+/// in clusters of 3%, and the test that the parts hold them; clusters-of-MESH-300/exact, /filtered:
+/// the first 300 triangles. cluster-growth/TRIANGLES: one shape, more and more finely.
 void register_cluster_bench(const std::vector<std::string>& meshes);
 /// clusters-of-MESH/acd, /acd-paths: the triangles split at notches until 3%, and of that run the
 /// searches for shortest paths alone.

@@ -65,11 +65,13 @@ def svg_of(series):
                 shift = (-8, 16) if format_x else (-38, 4)
                 lines.append(f'<text x="{float(a[0]) + shift[0]:.1f}" y="{float(a[1]) + shift[1]:.1f}">{words}</text>')
         lines.append(f'<text x="{left + number * (width + left)}" y="20">{SHAPES[shape]}</text>')
-        for column, colour in COLOURS.items():
+        lowest = math.inf  # where the last name stands; from the bottom up
+        for column, colour in sorted(COLOURS.items(), key=lambda item: found[-1][1][item[0]]):
             path = [at(n, times[column]) for n, times, *_ in found]
             lines.append(f'<polyline points="{" ".join(map(",".join, path))}" fill="none" stroke="{colour}" stroke-width="1.5"/>')
             if number == len(series) - 1:
-                lines.append(f'<text x="{float(path[-1][0]) + 6:.1f}" y="{float(path[-1][1]) + 4:.1f}" fill="{colour}">{column}</text>')
+                lowest = min(lowest - 12, float(path[-1][1]) + 4)
+                lines.append(f'<text x="{float(path[-1][0]) + 6:.1f}" y="{lowest:.1f}" fill="{colour}">{column}</text>')
     return '\n'.join([*lines, '</svg>']) + '\n'
 
 
