@@ -23,7 +23,7 @@ struct NearSolid {
   double volume = 0;
 };
 
-/// @param points  At least one; finite.
+/// @param points  Finite. None are flat.
 [[nodiscard]] NearSolid near_solid(std::span<const Point> points);
 
 }  // namespace convexact
