@@ -86,13 +86,17 @@ std::array<double, 3> FastDual::normal_sizes(HalfspaceId i) const {
   return sizes;
 }
 
+bool FastDual::seem_congruent(HalfspaceId i, HalfspaceId j) const {
+  const std::array<double, 3> a = normal_sizes(i), b = normal_sizes(j);
+  return std::equal(a.begin(), a.end(), b.begin(),
+                    [](double x, double y) { return std::abs(x - y) <= kEqualSizes; });
+}
+
 bool FastDual::seems_to_precede(HalfspaceId i, HalfspaceId j) const {
   if (planes_->dual != nullptr) return i < j;
   const std::array<double, 3> a = direction(i), b = direction(j);
-  const std::array<double, 3> sizes_a = normal_sizes(i), sizes_b = normal_sizes(j);
-  bool seem_congruent = true;
-  for (int k = 0; k < 3; ++k) seem_congruent &= std::abs(sizes_a[k] - sizes_b[k]) <= kEqualSizes;
-  for (int k = 0; k < 3 && seem_congruent; ++k) {
+  const bool is_by_direction = seem_congruent(i, j);
+  for (int k = 0; k < 3 && is_by_direction; ++k) {
     if (std::abs(a[k] - b[k]) > kEqualSizes) return a[k] < b[k];
   }
   return precedes(i, j);

@@ -126,9 +126,11 @@ class FastDual {
   std::array<double, 3> normal_sizes(HalfspaceId i) const;
   /// What two such sizes may differ by where the true ones are equal, and more than that.
   static constexpr double kEqualSizes = 0x1p-40;
-  /// As precedes(), without exact numbers where a symmetry of the axes seems to carry one normal to
-  /// the other: their primitive normals are then equally long, so the directions, in doubles, are
-  /// in the same order. For choices that need no proof.
+  /// Whether a symmetry of the axes seems to carry one normal to the other.
+  bool seem_congruent(HalfspaceId i, HalfspaceId j) const;
+  /// As precedes(), without exact numbers where the two seem_congruent(): their primitive normals
+  /// are then equally long, so the directions, in doubles, are in the same order. For choices that
+  /// need no proof.
   bool seems_to_precede(HalfspaceId i, HalfspaceId j) const;
   /// Strictly inside: the point that the dual refers to.
   const RationalPoint& center() const { return center_; }

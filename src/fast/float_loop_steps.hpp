@@ -14,6 +14,7 @@ FloatLoop<Arithmetic>::FloatLoop(const FastDual& dual, const Arithmetic& arithme
       options_(options),
       mesh_(dual.size(), dual.triangles(), dual.twins()),
       narrow_(Scalar(1 + std::min(0x1p-24, 0x1p29 * arithmetic.unit()))),
+      same_(Scalar(1 + std::min(0x1p-24, 0x1p13 * arithmetic.unit()))),
       queue_(dual.size()),
       state_(dual.size(), kFresh),
       lower_(dual.size()),
@@ -230,8 +231,9 @@ std::optional<HalfspaceId> FloatLoop<Arithmetic>::choose() {
 }
 
 // For a fresh top: collects those whose estimates are next to its estimate and whose bounds
-// overlap, the first in canonical order in front. False if some of them were stale; they are then
-// refreshed.
+// overlap, the first in canonical order in front. Without a symmetry "next to" is much less: the
+// caps of a sphere differ by little, and the lower estimate is the better guess. False if some were
+// stale; they are then refreshed.
 template <class Arithmetic>
 bool FloatLoop<Arithmetic>::collect_tie(HalfspaceId top) {
   // Symmetries of modelled shapes make ties of pairs, and the symmetries of the cube ties of at
@@ -239,6 +241,9 @@ bool FloatLoop<Arithmetic>::collect_tie(HalfspaceId top) {
   constexpr std::size_t kMost = 48;
   queue_.collect(narrow_ * queue_.key(top), tied_, kMost);
   if (tied_.size() > kMost) tied_.assign(1, top);
+  const Scalar same = same_ * queue_.key(top);
+  std::erase_if(
+      tied_, [&](HalfspaceId i) { return same < queue_.key(i) && !dual_.seem_congruent(i, top); });
   if (tied_.size() == 1) return true;
   bool all_fresh = true;
   for (const HalfspaceId i : tied_) {
