@@ -4,8 +4,11 @@
 // with one vertex taken away.
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <optional>
 
+#include "convexact/measure.hpp"
 #include "convexact/verify.hpp"
 #include "hard_inputs.hpp"
 #include "perturb.hpp"
@@ -84,7 +87,61 @@ bool scales_exactly(const Points& points, int exponent) {
   return true;
 }
 
+// By definition: the first plane in canonical order that all corners of the patch are near.
+std::optional<Halfspace> plane_of_patch(const std::vector<std::uint32_t>& patch,
+                                        const Polytope& candidate, const Rational& slack,
+                                        const std::vector<Halfspace>& planes) {
+  for (const std::uint32_t f : patch) {
+    if (std::ranges::count(planes, candidate.planes[f]) > 0) return candidate.planes[f];
+  }
+  for (const Halfspace& plane : planes) {
+    Rational most = 0;
+    for (const Integer& n : plane.normal()) most += Rational(abs(n)) * slack;
+    const bool is_near = std::ranges::all_of(patch, [&](std::uint32_t f) {
+      return std::ranges::all_of(candidate.facets[f], [&](std::uint32_t v) {
+        return abs(plane(candidate.vertices[v])) <= most;
+      });
+    });
+    if (is_near) return plane;
+  }
+  return {};
+}
+
 }  // namespace
+
+TEST_CASE("verify: planes of the input are those by definition where vertices move by an ulp") {
+  constexpr std::uint64_t kEvery = 23;  // all of them take minutes
+  std::uint64_t seed = 0;
+  std::size_t found = 0, lost = 0;
+  for_each_solid([&](const SolidInput& solid) {
+    if (++seed % kEvery != 0) return;
+    Mesh mesh = hull_mesh(solid);
+    const Points moved = perturb::nudged(solid.points, seed);
+    if (!std::ranges::all_of(moved, [](const Point& p) { return p.allFinite(); })) return;
+    mesh.points = PointSet(moved);
+    const HullOutcome outcome = convex_hull(mesh.points);
+    const auto* hull = std::get_if<Hull>(&outcome);
+    if (hull == nullptr) return;
+    const Verdict verdict = judge(solid.points, mesh);
+    const Polytope candidate = to_polytope(*hull, mesh.points);
+    const Rational slack =
+        kRoundingUlps * unit_in_last_place(verdict.size.slack.precision,
+                                           bounding_box(candidate.vertices).largest_coordinate());
+    const std::vector<Halfspace> planes = to_polytope(solid.hull, PointSet(solid.points)).planes;
+    std::vector<Halfspace> expected;
+    const auto patches = planar_patches(candidate, verdict.size.slack);
+    for (const auto& patch : patches) {
+      if (auto plane = plane_of_patch(patch, candidate, slack, planes)) {
+        expected.push_back(std::move(*plane));
+      }
+    }
+    CHECK(*verdict.size.planes_of_the_input == expected);
+    found += expected.size();
+    lost += patches.size() - expected.size();
+  });
+  CHECK(found > 1000);
+  CHECK(lost > 5);
+}
 
 TEST_CASE("verify: every hard input is enclosed by its own hull, exactly") {
   for_each_solid([](const SolidInput& solid) {

@@ -4,7 +4,6 @@
 
 #include "convexact/measure.hpp"
 #include "convexact/number.hpp"
-#include "near/near_plane.hpp"
 #include "number/text.hpp"
 #include "oracle/solid/judge.hpp"
 #include "scene/objects.hpp"
@@ -110,61 +109,6 @@ void judge_halfspace_set(const HalfspaceList& list, Trial& trial) {
   trial.holds(CandidateBounded, "no direction leads to infinity");
 }
 
-// The patches of which every corner is so near to a facet plane of the input's hull that rounding,
-// in any program, explains the distance.
-class PlanesOfTheInput {
- public:
-  PlanesOfTheInput(const Polytope& polytope, Precision precision, std::span<const Halfspace> planes)
-      : polytope_(polytope), planes_(planes.begin(), planes.end()) {
-    std::sort(planes_.begin(), planes_.end());
-    std::vector<Point> points;
-    for (const RationalPoint& v : polytope.vertices) {
-      Point& p = points.emplace_back();
-      for (int k = 0; k < 3; ++k) p[k] = to_double(v[k], Rounding::Nearest);
-    }
-    slack_ = kRoundingUlps *
-             unit_in_last_place(precision, bounding_box(polytope.vertices).largest_coordinate());
-    vertices_.emplace(points);
-    for (const Halfspace& h : planes_) near_planes_.emplace_back(h);
-  }
-
-  // The plane that the patch is in; one that has it exactly first.
-  std::optional<Halfspace> of(const std::vector<std::uint32_t>& patch) const {
-    for (const std::uint32_t f : patch) {
-      const Halfspace& plane = polytope_.planes[f];
-      if (std::binary_search(planes_.begin(), planes_.end(), plane)) return plane;
-    }
-    for (std::size_t i = 0; i < planes_.size(); ++i) {
-      if (may_be_near(i, polytope_.facets[patch[0]][0]) && is_near(i, patch)) return planes_[i];
-    }
-    return std::nullopt;
-  }
-
- private:
-  bool may_be_near(std::size_t plane, std::uint32_t vertex) const {
-    const NearValue near =
-        near_planes_[plane].at(*vertices_, vertex, absolute_plane_error(vertices_->largest));
-    const double most = 3 * to_double(slack_, Rounding::Up);  // no component is above 1
-    return !(std::abs(near.value) - near.error > most);
-  }
-  bool is_near(std::size_t plane, const std::vector<std::uint32_t>& patch) const {
-    const Halfspace& h = planes_[plane];
-    Rational limit = 0;
-    for (const Integer& n : h.normal()) limit += Rational(abs(n)) * slack_;
-    return std::all_of(patch.begin(), patch.end(), [&](std::uint32_t f) {
-      const auto& corners = polytope_.facets[f];
-      return std::all_of(corners.begin(), corners.end(),
-                         [&](std::uint32_t v) { return abs(h(polytope_.vertices[v])) <= limit; });
-    });
-  }
-
-  const Polytope& polytope_;
-  std::vector<Halfspace> planes_;
-  Rational slack_;
-  std::optional<CoordinateArrays> vertices_;
-  std::vector<DoubleHalfspace> near_planes_;
-};
-
 void judge_budget(ClaimCode code, std::optional<std::size_t> found, const std::string& what,
                   const std::string& remark, Trial& trial) {
   const std::optional<std::size_t>& most = *budget_of(trial.request, code);
@@ -237,22 +181,6 @@ void find_facets_as_meant(Trial& trial) {
     }
     size.facets_as_meant = set.patches.size();
   });
-}
-
-void count_planes_of_the_input(Trial& trial) {
-  const Polytope& polytope = *trial.set.polytope;
-  CandidateSize& size = trial.verdict.size;
-  const PlanesOfTheInput planes(polytope, size.slack.precision, trial.input.hull.planes);
-  std::vector<std::vector<std::uint32_t>> patches = trial.set.patches;
-  if (patches.empty()) {  // halfspaces: each facet is one
-    for (std::uint32_t f = 0; f < polytope.facets.size(); ++f) patches.push_back({f});
-  }
-  const Watch watch(trial.stop());
-  size.planes_of_the_input.emplace();
-  for (const auto& patch : patches) {
-    watch.ask();
-    if (auto plane = planes.of(patch)) size.planes_of_the_input->push_back(std::move(*plane));
-  }
 }
 
 void judge_budgets(Trial& trial) {
