@@ -71,7 +71,7 @@ class ExactConcavity {
  private:
   const Surface* surface_;
   ConcavityMeasure measure_;
-  std::vector<IntegerVector3> normals_;  // by triangle, or by point
+  std::vector<IntegerVector3> normals_;  // by point, of rays from these
 };
 
 /// The points of a cluster, ascending, each once.

@@ -147,24 +147,20 @@ TriangleRay longest_ray(const ConvexPart& hull, const TriangleCorners& corners,
 
 ExactConcavity::ExactConcavity(const Surface& surface, ConcavityMeasure measure)
     : surface_(&surface), measure_(measure) {
-  std::vector<RationalVector3> at_points(
-      measure == ConcavityMeasure::Vertices ? surface.points.size() : 0, RationalVector3::Zero());
-  normals_.reserve(at_points.empty() ? surface.triangles.size() : at_points.size());
+  if (measure == ConcavityMeasure::Surface) return;
+  std::vector<RationalVector3> at_points(surface.points.size(), RationalVector3::Zero());
   for (const auto& triangle : surface.triangles) {
     const RationalVector3 area = area_vector(surface.points, triangle);
-    if (measure == ConcavityMeasure::Surface) {
-      normals_.push_back(integer_direction(area));
-    } else {
-      for (const PointId p : triangle) at_points[p.index()] += area;
-    }
+    for (const PointId p : triangle) at_points[p.index()] += area;
   }
   for (const RationalVector3& normal : at_points) normals_.push_back(integer_direction(normal));
 }
 
 IntegerVector3 ExactConcavity::direction(TriangleId triangle, int k) const {
+  const Triangle& corners = surface_->triangles[triangle.index()];
   return measure_ == ConcavityMeasure::Surface
-             ? normals_[triangle.index()]
-             : normals_[surface_->triangles[triangle.index()][static_cast<std::size_t>(k)].index()];
+             ? integer_direction(area_vector(surface_->points, corners))
+             : normals_[corners[static_cast<std::size_t>(k)].index()];
 }
 
 Concavity ExactConcavity::operator()(TriangleId triangle, const ConvexPart& hull) const {

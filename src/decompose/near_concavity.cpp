@@ -81,13 +81,17 @@ NearConcavity::Direction NearConcavity::direction_of(const Point& normal, double
 void NearConcavity::add_directions(const Surface& surface) {
   const bool at_points = measure_ == ConcavityMeasure::Vertices;
   std::vector<NearNormal> sums(at_points ? points_.size() : 0, {Point::Zero(), 0});
+  const auto direction_at = [&](const NearNormal& near, std::uint32_t t, int k) {
+    const bool exists = near.value.cwiseAbs().maxCoeff() > near.error ||
+                        !exact_.direction(TriangleId(t), k).isZero();
+    return direction_of(near.value, near.error, exists);
+  };
   for (std::uint32_t t = 0; t < surface.triangles.size(); ++t) {
     const auto& [a, b, c] = surface.triangles[t];
     const NearNormal normal =
         near_normal(points_[a.index()], points_[b.index()], points_[c.index()], off_);
     if (!at_points) {
-      directions_.push_back(
-          direction_of(normal.value, normal.error, !exact_.direction(TriangleId(t), 0).isZero()));
+      directions_.push_back(direction_at(normal, t, 0));
       continue;
     }
     for (const PointId p : surface.triangles[t]) {
@@ -101,8 +105,7 @@ void NearConcavity::add_directions(const Surface& surface) {
   for (std::uint32_t t = 0; t < surface.triangles.size(); ++t) {
     for (int k = 0; k < 3; ++k) {
       const std::size_t p = surface.triangles[t][static_cast<std::size_t>(k)].index();
-      directions_[p] =
-          direction_of(sums[p].value, sums[p].error, !exact_.direction(TriangleId(t), k).isZero());
+      directions_[p] = direction_at(sums[p], t, k);
     }
   }
 }
