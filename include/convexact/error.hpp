@@ -77,6 +77,8 @@ class Watch {
   void report(std::size_t done, std::size_t total) const {
     if (progress_) progress_(done, total);
   }
+  /// The same flag without reports, for threads that work at the same time.
+  Watch without_reports() const { return Watch(stop_); }
   /// Calls ask(), and report() from time to time.
   void at(std::size_t done, std::size_t total) const {
     ask();

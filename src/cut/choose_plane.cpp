@@ -217,12 +217,12 @@ NearSolid hull_around(const NearSolid& inner, const std::vector<Point>& points) 
 class PlaneChoice {
  public:
   PlaneChoice(const Leaf& leaf, const Point& far, std::span<const CutPlane> planes,
-              const CutPoints& points, const Winding* winding, const PartitionOptions& options)
+              const CutPoints& points, const Winding* winding, std::size_t jobs)
       : own_(leaf, points),
         far_(far),
         planes_(planes),
         winding_(winding),
-        jobs_(own_.near().size() < kFewForThreads ? 1 : options.jobs) {
+        jobs_(own_.near().size() < kFewForThreads ? 1 : jobs) {
     // Volumes are compared in units of which a billion make the leaf's: those that are equal but
     // for rounding are equal.
     whole_ = hull_around(near_solid(farthest_of(own_.near(), kFew)), own_.near()).volume;
@@ -327,8 +327,9 @@ class PlaneChoice {
 
 std::optional<std::size_t> choose_plane(const Leaf& leaf, const Point& far,
                                         std::span<const CutPlane> planes, const CutPoints& points,
-                                        const Winding* winding, const PartitionOptions& options) {
-  return PlaneChoice(leaf, far, planes, points, winding, options).best(options.watch);
+                                        const Winding* winding, std::size_t jobs,
+                                        const Watch& watch) {
+  return PlaneChoice(leaf, far, planes, points, winding, jobs).best(watch);
 }
 
 }  // namespace convexact

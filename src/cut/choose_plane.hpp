@@ -17,14 +17,14 @@ namespace convexact {
 /// ones. Nothing if there is none.
 /// @param far      The point of the leaf's hull to get rid of, in the frame.
 /// @param winding  Null for an open surface.
-/// @param options  For the threads, on which the choice does not depend, and the watch.
+/// @param jobs     Threads, at least 1; the choice does not depend on them.
 /// @return An index into `planes`.
 /// @par Cost  For each plane the leaf's edges, and hulls of up to 216 points; hulls of up to 1,944
 ///            and then of all points, where these do not rule the plane out.
 [[nodiscard]] std::optional<std::size_t> choose_plane(const Leaf& leaf, const Point& far,
                                                       std::span<const CutPlane> planes,
                                                       const CutPoints& points,
-                                                      const Winding* winding,
-                                                      const PartitionOptions& options);
+                                                      const Winding* winding, std::size_t jobs,
+                                                      const Watch& watch);
 
 }  // namespace convexact

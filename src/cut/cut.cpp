@@ -1,8 +1,12 @@
 // SPDX-License-Identifier: MIT
 // cut(): the leaf that reaches farthest is cut, until all are near the solid.
 #include <algorithm>
+#include <array>
 #include <memory>
+#include <optional>
 #include <set>
+#include <span>
+#include <utility>
 
 #include "convexact/hull.hpp"
 #include "convexact/overlay.hpp"
@@ -11,6 +15,7 @@
 #include "cut/notches.hpp"
 #include "hull/near_solid.hpp"
 #include "surface/box_tree.hpp"
+#include "task/parallel.hpp"
 
 namespace convexact {
 namespace {
@@ -41,6 +46,8 @@ std::vector<Point> directions() {
 
 // Leaves that are cut so often are halved from then on.
 constexpr int kDeepest = 40;
+// So many leaves are judged at a time for each thread, as one may take longer than others.
+constexpr std::size_t kChoicesPerThread = 4;
 // So many facets' planes are tried at a time where there are no notches.
 constexpr std::size_t kMostFacets = 100;
 
@@ -58,25 +65,27 @@ class Cutter {
   Partition run() {
     made_.squared_limit = limit_.squared_limit();
     made_.squared_diameter = bounding_box(points_.surface().points).squared_diameter();
-    Leaf root{box(), {}, {}, notches_.all()};
+    std::array<Leaf, 1> whole{Leaf{box(), {}, {}, notches_.all()}};
     for (std::uint32_t t = 0; t < points_.surface().triangles.size(); ++t) {
-      root.pieces.push_back({t, {}});
+      whole[0].pieces.push_back({t, {}});
     }
-    add_node(std::move(root), {});
+    add_nodes(whole, {});
     while (!waiting_.empty()) {
       if (options_.max_leaves && leaf_count_ >= *options_.max_leaves) {
         made_.stopped_by_count = true;
         break;
       }
       options_.watch.at(0, 0);
-      const std::uint32_t n = waiting_.begin()->node;
-      const Point far = waiting_.begin()->far;
+      const Waiting next = *waiting_.begin();
+      if (!choices_[next.node]) choose_planes();
       waiting_.erase(waiting_.begin());
-      split(n, far);
+      split(next.node);
     }
     for (std::uint32_t n = 0; n < made_.nodes.size(); ++n) {
-      if (leaves_[n]) add_leaf(n);
+      if (leaves_[n]) made_.leaves.push_back({n, {}, {}, false, is_within_[n]});
     }
+    for_each_in_parallel(made_.leaves.size(), options_.jobs,
+                         [&](std::size_t k) { describe(made_.leaves[k]); });
     return std::move(made_);
   }
 
@@ -139,23 +148,54 @@ class Cutter {
     return near;
   }
 
-  void add_node(Leaf leaf, std::optional<std::uint32_t> parent) {
-    const auto n = static_cast<std::uint32_t>(made_.nodes.size());
-    made_.nodes.push_back({parent});
-    depth_.push_back(parent ? depth_[*parent] + 1 : 0);
-    is_within_.push_back(true);
-    leaves_.emplace_back();
-    const std::vector<Point> near = near_points(leaf);
-    if (near.empty()) return;  // nothing of the solid
-    ++leaf_count_;
-    if (const auto far = limit_.farthest(near, options_.watch)) {
-      waiting_.insert({far->distance, n, far->point});
-      is_within_[n] = false;
+  // Those that hold nothing of the solid are nodes, too.
+  void add_nodes(std::span<Leaf> leaves, std::optional<std::uint32_t> parent) {
+    std::vector<std::uint32_t> added;
+    std::vector<std::vector<Point>> points;
+    for (Leaf& leaf : leaves) {
+      const auto n = static_cast<std::uint32_t>(made_.nodes.size());
+      made_.nodes.push_back({parent});
+      depth_.push_back(parent ? depth_[*parent] + 1 : 0);
+      is_within_.push_back(true);
+      choices_.emplace_back();
+      leaves_.emplace_back();
+      std::vector<Point> near = near_points(leaf);
+      if (near.empty()) continue;
+      leaves_[n] = std::make_unique<Leaf>(std::move(leaf));
+      added.push_back(n);
+      points.push_back(std::move(near));
     }
-    leaves_[n] = std::make_unique<Leaf>(std::move(leaf));
+    leaf_count_ += added.size();
+    const auto far = limit_.farthest_of_each(points, options_.jobs, options_.watch);
+    for (std::size_t k = 0; k < added.size(); ++k) {
+      if (!far[k]) continue;
+      waiting_.insert({far[k]->distance, added[k], far[k]->point});
+      is_within_[added[k]] = false;
+    }
   }
 
-  void split(std::uint32_t n, const Point& far) {
+  // A plane for the farthest leaf, and on several threads for those that come after it: what plane
+  // cuts a leaf does not depend on the others.
+  void choose_planes() {
+    std::size_t most = options_.jobs == 1 ? 1 : kChoicesPerThread * options_.jobs;
+    if (options_.max_leaves) most = std::min(most, *options_.max_leaves - leaf_count_);
+    std::vector<Waiting> open;
+    for (auto next = waiting_.begin(); next != waiting_.end() && open.size() < most; ++next) {
+      if (!choices_[next->node]) open.push_back(*next);
+    }
+    const std::size_t each = std::max<std::size_t>(1, options_.jobs / open.size());
+    for_each_in_parallel(open.size(), options_.jobs, [&](std::size_t i) {
+      choices_[open[i].node] = choose(open[i].node, open[i].far, each);
+    });
+  }
+
+  struct Choice {
+    std::optional<CutPlane> plane;
+    std::size_t planes_tried = 0;
+  };
+
+  // @param jobs  Threads for this leaf alone.
+  Choice choose(std::uint32_t n, const Point& far, std::size_t jobs) const {
     const Leaf& leaf = *leaves_[n];
     std::vector<CutPlane> tried;
     const auto add = [&](const Halfspace& plane) {
@@ -175,39 +215,48 @@ class Cutter {
     } else {
       add(halving_plane(leaf));
     }
-    const auto choose = [&] {
-      made_.planes_tried += tried.size();
-      return choose_plane(leaf, far, tried, points_, winding_, options_);
+    Choice choice;
+    const auto try_all = [&] {
+      choice.planes_tried += tried.size();
+      const auto best = choose_plane(leaf, far, tried, points_, winding_, jobs, options_.watch);
+      if (best) choice.plane = tried[*best];
     };
-    auto best = choose();
-    if (!best && options_.planes == CutPlanes::Bisectors) {
+    try_all();
+    if (!choice.plane && options_.planes == CutPlanes::Bisectors) {
       tried.clear();
       add_through_far();
-      best = choose();
+      try_all();
     }
     // Bodies with room between them have no notch there.
-    for (std::size_t k = 0; !best && only_facets && k < leaf.pieces.size();) {
+    for (std::size_t k = 0; !choice.plane && only_facets && k < leaf.pieces.size();) {
       tried.clear();
       for (; k < leaf.pieces.size() && tried.size() < kMostFacets; ++k) {
         const std::uint32_t t = leaf.pieces[k].triangle;
         if (has_no_area(points_.surface().points, points_.surface().triangles[t])) continue;
         add(turned(triangle_plane(points_.surface(), t)));
       }
-      best = choose();
+      try_all();
     }
-    if (!best) return;
-    planes_.push_back(tried[*best]);
+    return choice;
+  }
+
+  void split(std::uint32_t n) {
+    const Leaf& leaf = *leaves_[n];
+    const Choice choice = *std::exchange(choices_[n], {});
+    made_.planes_tried += choice.planes_tried;
+    if (!choice.plane) return;
+    planes_.push_back(*choice.plane);
     const auto plane = static_cast<std::uint32_t>(planes_.size() - 1);
     auto [lower, upper] = cutter_.cut(leaf, plane, made_.nodes[n].raised);
-    lower.notches = notches_.clipped(leaf.notches, planes_[plane], Sign::Negative);
-    upper.notches = notches_.clipped(leaf.notches, planes_[plane], Sign::Positive);
+    std::array<Leaf, 2> halves{std::move(lower), std::move(upper)};
+    halves[0].notches = notches_.clipped(leaf.notches, planes_[plane], Sign::Negative);
+    halves[1].notches = notches_.clipped(leaf.notches, planes_[plane], Sign::Positive);
     leaves_[n].reset();
     --leaf_count_;
     const auto first = static_cast<std::uint32_t>(made_.nodes.size());
     made_.nodes[n].plane = planes_[plane].exact;
     made_.nodes[n].children = {first, first + 1};
-    add_node(std::move(lower), n);
-    add_node(std::move(upper), n);
+    add_nodes(halves, n);
   }
 
   // Across the longest side of the leaf's box: what is so small that it lies within T of any of its
@@ -220,17 +269,17 @@ class Cutter {
     return plane_across(Point::Unit(axis), (box.low + box.high) / 2, points_.frame());
   }
 
-  void add_leaf(std::uint32_t n) {
-    options_.watch.ask();
-    const Leaf& leaf = *leaves_[n];
-    PartitionLeaf& made = made_.leaves.emplace_back(PartitionLeaf{n, {}, {}, false, is_within_[n]});
+  // The triangles and corners of a leaf.
+  void describe(PartitionLeaf& made) const {
+    const Watch watch = options_.watch.without_reports();
+    const Leaf& leaf = *leaves_[made.node];
     for (const Piece& piece : leaf.pieces) made.triangles.emplace_back(piece.triangle);
     const PointSet points = outer_points(leaf);
-    const HullOutcome outcome = convex_hull(points, {.watch = options_.watch});
+    const HullOutcome outcome = convex_hull(points, {.watch = watch});
     const auto* hull = std::get_if<Hull>(&outcome);
     made.is_flat = hull == nullptr;
     made.corners = hull != nullptr ? subset(points, hull->vertices)
-                                   : PointSet(convex_part(points, options_.watch).vertices);
+                                   : PointSet(convex_part(points, watch).vertices);
   }
 
   // The points of the leaf but those that are certainly inside of their hull.
@@ -258,9 +307,10 @@ class Cutter {
   Notches notches_;
   LeafCutter cutter_;
   Partition made_;
-  std::vector<std::unique_ptr<Leaf>> leaves_;  // by node; none of those that are cut or empty
-  std::vector<bool> is_within_;                // by node
-  std::vector<int> depth_;                     // by node
+  std::vector<std::unique_ptr<Leaf>> leaves_;   // by node; none of those that are cut or empty
+  std::vector<bool> is_within_;                 // by node
+  std::vector<int> depth_;                      // by node
+  std::vector<std::optional<Choice>> choices_;  // by node, where it was made and not yet used
   std::set<Waiting> waiting_;
   std::size_t leaf_count_ = 0;
 };

@@ -8,6 +8,7 @@
 #include "near/frame.hpp"
 #include "number/arithmetic.hpp"
 #include "parts/merge_by_reach.hpp"
+#include "parts/request_rules.hpp"
 #include "parts/stored_part.hpp"
 #include "task/parallel.hpp"
 
@@ -92,7 +93,7 @@ class PartCutter {
       Partition partition = cut(surface_, winding_, fine,
                                 {.is_exact = request_.engine == Engine::Exact,
                                  .planes = way.planes,
-                                 .jobs = request_.jobs.value_or(all_cores()),
+                                 .jobs = jobs_of(request_),
                                  .watch = watch});
       cells = fine.cells();
       return partition;
@@ -106,12 +107,15 @@ class PartCutter {
 
   std::vector<PointSet> stored_leaves(const Partition& partition) const {
     const Watch watch = log_.watch(kStoreLeaves);
-    std::vector<PointSet> stored;
-    for (const PartitionLeaf& leaf : partition.leaves) {
-      watch.at(stored.size(), partition.leaves.size());
-      stored.push_back(
-          stored_corners(leaf.corners, leaf.is_flat, squared_diameter_, request_.precision, watch));
-    }
+    std::vector<PointSet> stored(partition.leaves.size());
+    for_each_in_parallel(
+        stored.size(), jobs_of(request_),
+        [&](std::size_t k) {
+          const PartitionLeaf& leaf = partition.leaves[k];
+          stored[k] = stored_corners(leaf.corners, leaf.is_flat, squared_diameter_,
+                                     request_.precision, watch.without_reports());
+        },
+        [&](std::size_t done) { watch.report(done, stored.size()); });
     return stored;
   }
 
@@ -132,7 +136,8 @@ class PartCutter {
     ReachMergeOptions options{.rounds = rounds_of(request_.effort),
                               .seed = request_.seed,
                               .exchanges = exchanges_of(request_.effort),
-                              .keeps_apart = request_.disjoint};
+                              .keeps_apart = request_.disjoint,
+                              .jobs = jobs_of(request_)};
     if (request_.max_parts) options.most_parts = *request_.max_parts;
     if (volume_limit_ != nullptr) {
       options.most_volume =

@@ -136,7 +136,7 @@ class Decomposer {
         std::vector<Point>& points = pieces.emplace_back();
         for (const RationalPoint& v : part.hull.vertices) points.push_back(limit_->frame()(v));
       }
-      const ReachMergeOptions options{.seed = request_.seed};
+      const ReachMergeOptions options{.seed = request_.seed, .jobs = jobs_of(request_)};
       const Watch watch = log_.watch(kStage);
       const ReachMerged merged = merge_by_reach(pieces, *limit_, options, watch);
       join_parts(merged.parts, watch);

@@ -14,6 +14,7 @@
 #include "near/frame.hpp"
 #include "number/random.hpp"
 #include "surface/box_tree.hpp"
+#include "task/parallel.hpp"
 
 namespace convexact {
 namespace {
@@ -68,9 +69,11 @@ bool are_apart(const Joined& a, const Joined& b) {
 class JoinedHulls {
  public:
   JoinedHulls(std::span<const std::vector<Point>> pieces, ReachLimit& limit, bool keeps_apart,
-              const Watch& watch)
-      : limit_(limit), keeps_apart_(keeps_apart), watch_(watch) {
-    for (std::uint32_t k = 0; k < pieces.size(); ++k) add({k}, pieces[k]);
+              std::size_t jobs, const Watch& watch)
+      : limit_(limit), keeps_apart_(keeps_apart), jobs_(jobs), watch_(watch) {
+    std::vector<Wanted> wanted;
+    for (std::uint32_t k = 0; k < pieces.size(); ++k) wanted.push_back({{k}, pieces[k]});
+    add_all(std::move(wanted));
   }
 
   Joined& piece(std::uint32_t k) { return *hulls_.at({k}); }
@@ -78,9 +81,19 @@ class JoinedHulls {
     PieceSet both = united(a.pieces, b.pieces);
     const auto known = hulls_.find(both);
     if (known != hulls_.end()) return *known->second;
-    std::vector<Point> points = a.vertices;
-    points.insert(points.end(), b.vertices.begin(), b.vertices.end());
-    return add(std::move(both), points);
+    return add({std::move(both), points_of(a, b)});
+  }
+  // One with each of several, on several threads.
+  std::vector<Joined*> join_each(const Joined& one, std::span<Joined* const> others) {
+    std::vector<Wanted> wanted;
+    for (const Joined* other : others) {
+      PieceSet both = united(one.pieces, other->pieces);
+      if (!hulls_.contains(both)) wanted.push_back({std::move(both), points_of(one, *other)});
+    }
+    add_all(std::move(wanted));
+    std::vector<Joined*> joined;
+    for (const Joined* other : others) joined.push_back(&join(one, *other));
+    return joined;
   }
 
   Joined& of(PieceSet pieces) {
@@ -91,7 +104,7 @@ class JoinedHulls {
       const std::vector<Point>& own = piece(k).vertices;
       points.insert(points.end(), own.begin(), own.end());
     }
-    return add(std::move(pieces), points);
+    return add({std::move(pieces), std::move(points)});
   }
 
   // What holds pieces that were refused is refused.
@@ -130,18 +143,42 @@ class JoinedHulls {
   }
 
  private:
-  Joined& add(PieceSet pieces, std::span<const Point> points) {
+  struct Wanted {
+    PieceSet pieces;
+    std::vector<Point> points;
+  };
+
+  static std::vector<Point> points_of(const Joined& a, const Joined& b) {
+    std::vector<Point> points = a.vertices;
+    points.insert(points.end(), b.vertices.begin(), b.vertices.end());
+    return points;
+  }
+
+  Joined& add(Wanted wanted) { return keep(make(std::move(wanted))); }
+  void add_all(std::vector<Wanted> wanted) {
+    std::vector<std::unique_ptr<Joined>> made(wanted.size());
+    for_each_in_parallel(wanted.size(), jobs_,
+                         [&](std::size_t i) { made[i] = make(std::move(wanted[i])); });
+    for (std::unique_ptr<Joined>& joined : made) keep(std::move(joined));
+  }
+  std::unique_ptr<Joined> make(Wanted wanted) const {
     watch_.ask();
-    NearSolid solid = near_solid(points);
-    auto made =
-        std::make_unique<Joined>(Joined{pieces, std::move(solid.vertices), solid.volume, {}, {}});
+    NearSolid solid = near_solid(wanted.points);
+    auto made = std::make_unique<Joined>(
+        Joined{std::move(wanted.pieces), std::move(solid.vertices), solid.volume, {}, {}});
     for (const Point& y : made->vertices) made->box.include(y);
     if (keeps_apart_) made->planes = std::move(solid.planes);
-    return *(hulls_[std::move(pieces)] = std::move(made));
+    return made;
+  }
+  Joined& keep(std::unique_ptr<Joined> made) {
+    std::unique_ptr<Joined>& place = hulls_[made->pieces];
+    if (place == nullptr) place = std::move(made);
+    return *place;
   }
 
   ReachLimit& limit_;
   bool keeps_apart_;
+  const std::size_t jobs_;
   const Watch& watch_;
   std::map<std::pair<const Joined*, const Joined*>, bool> apart_;
   std::map<PieceSet, std::unique_ptr<Joined>> hulls_;
@@ -223,11 +260,17 @@ class ReachMerger {
     std::set<std::uint32_t> alive;
     std::set<std::tuple<double, std::uint32_t, std::uint32_t>> queue;
     const auto add = [&](std::uint32_t b) {
+      std::vector<std::uint32_t> near;
+      std::vector<Joined*> others;
       for (const std::uint32_t a : alive) {
-        if (a == b || !are_near(*numbered[a], *numbered[b])) continue;
-        const double added = hulls_.join(*numbered[a], *numbered[b]).volume - numbered[a]->volume -
-                             numbered[b]->volume;
-        queue.emplace(key(added), std::min(a, b), std::max(a, b));
+        if (!are_near(*numbered[a], *numbered[b])) continue;
+        near.push_back(a);
+        others.push_back(numbered[a]);
+      }
+      const std::vector<Joined*> joined = hulls_.join_each(*numbered[b], others);
+      for (std::size_t k = 0; k < near.size(); ++k) {
+        const double added = joined[k]->volume - others[k]->volume - numbered[b]->volume;
+        queue.emplace(key(added), std::min(near[k], b), std::max(near[k], b));
       }
       alive.insert(b);
     };
@@ -295,11 +338,17 @@ class ReachMerger {
   // which finds a place likewise: as a matching grows by an augmenting path. Each part gives away
   // once at most.
   bool place(std::uint32_t piece, Arrangement& in, std::vector<bool>& entered) {
-    std::vector<std::pair<double, std::size_t>> order;
+    std::vector<std::size_t> near;
+    std::vector<Joined*> others;
     for (std::size_t k = 0; k < in.parts.size(); ++k) {
       if (!are_near(*in.parts[k], hulls_.piece(piece))) continue;
-      const Joined& both = hulls_.join(*in.parts[k], hulls_.piece(piece));
-      order.emplace_back(both.volume - in.parts[k]->volume, k);
+      near.push_back(k);
+      others.push_back(in.parts[k]);
+    }
+    const std::vector<Joined*> joined = hulls_.join_each(hulls_.piece(piece), others);
+    std::vector<std::pair<double, std::size_t>> order;
+    for (std::size_t i = 0; i < near.size(); ++i) {
+      order.emplace_back(joined[i]->volume - others[i]->volume, near[i]);
     }
     std::sort(order.begin(), order.end());
     for (const auto& [added, k] : order) {
@@ -342,7 +391,7 @@ class ReachMerger {
 
 ReachMerged merge_by_reach(std::span<const std::vector<Point>> pieces, ReachLimit& limit,
                            const ReachMergeOptions& options, const Watch& watch) {
-  JoinedHulls hulls(pieces, limit, options.keeps_apart, watch);
+  JoinedHulls hulls(pieces, limit, options.keeps_apart, options.jobs, watch);
   const double distance = limit.frame().root_up(limit.squared_limit());
   Random random(options.seed);
   std::optional<ReachMerger> best;

@@ -28,6 +28,8 @@ struct ReachMergeOptions {
   double most_volume = HUGE_VAL;
   /// Each two parts must have a plane between them, up to kApart, except for `most_parts`.
   bool keeps_apart = false;
+  /// Threads, at least 1. The parts are the same for any number of them.
+  std::size_t jobs = 1;
 };
 
 /// What parts may reach beyond a plane between them, in the frame, where coordinates are at most 2:

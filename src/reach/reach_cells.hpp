@@ -3,12 +3,16 @@
 // surface, and which cells lie within T of the solid as a whole.
 #pragma once
 #include <array>
+#include <atomic>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <memory>
+#include <mutex>
 #include <optional>
 #include <vector>
 
+#include "convexact/reach.hpp"
 #include "convexact/surface.hpp"
 #include "near/frame.hpp"
 #include "overlay/union_distance_triangles.hpp"
@@ -34,6 +38,8 @@ struct CellPlace {
   }
 };
 
+/// Several threads may ask at the same time: what is found about a cell depends on its place alone,
+/// so it does not matter who finds it.
 class ReachCells {
  public:
   /// @param winding  Null for an open surface.
@@ -52,29 +58,27 @@ class ReachCells {
   /// Whether T is 0: the limit is that of cells only, and what is certainly outside is beyond.
   bool is_at_zero() const { return is_at_zero_; }
   std::size_t size() const { return cells_.size(); }
-  /// Forgets all cells if there are more than half as many as are kept, so that another question
-  /// has room. What they were is found again.
+  /// Forgets all cells if there are more than half as many as are kept, so that other questions
+  /// have room. What they were is found again. Not while another thread asks.
   void make_room() {
-    if (cells_.size() > most_ / 2) cells_ = std::vector<Cell>(1);
+    if (cells_.size() > kReachCells / 2) cells_.clear();
   }
 
   /// Whether the cell is fine, and why. Open: it is not, or that is not certain.
   Label label(const CellPlace& place);
   /// Bounds of the distance of the center to the surface.
-  NearBounds distance(std::uint32_t cell) const { return {cells_[cell].low, cells_[cell].high}; }
+  NearBounds distance(std::uint32_t cell) const {
+    return {cells_[cell].low.load(kRelaxed), cells_[cell].high.load(kRelaxed)};
+  }
   /// A triangle that is about nearest to the center, or within T of the whole cell.
-  std::uint32_t triangle(std::uint32_t cell) const { return cells_[cell].triangle; }
+  std::uint32_t triangle(std::uint32_t cell) const { return cells_[cell].triangle.load(kRelaxed); }
   /// Whether the center lies outside of the solid, exactly; of an open surface: always.
   bool is_outside(const CellPlace& place) { return side(place) == Side::Outside; }
   bool is_outside(const Point& y) const { return is_outside(frame_.point(y)); }
   bool is_outside(const RationalPoint& x) const { return side_of(x) == Side::Outside; }
   /// The eight cells of half the size, without labels if they are new.
   std::array<CellPlace, 8> children(const CellPlace& place);
-  bool has_children(std::uint32_t cell) const { return cells_[cell].first_child != 0; }
-  /// Whether it has them, or room is left for them.
-  bool may_have_children(std::uint32_t cell) const {
-    return has_children(cell) || cells_.size() + 8 <= most_;
-  }
+  bool has_children(std::uint32_t cell) const { return cells_[cell].first_child.load() != 0; }
 
   /// Whether the surface is closed, so that it may wind about a point.
   bool has_inside() const { return winding_ != nullptr; }
@@ -84,12 +88,36 @@ class ReachCells {
   const Surface& surface() const { return surface_; }
 
  private:
+  static constexpr auto kRelaxed = std::memory_order_relaxed;
   enum class Side : std::uint8_t { Unknown, Outside, Inside };
+  // All but the first triangle is found at the first question; the label is written last.
   struct Cell {
-    double low = 0, high = 0;  // of the distance of the center to the surface
-    std::uint32_t triangle = 0, first_child = 0;
-    Label label = Label::Unknown;
-    Side side = Side::Unknown;  // of the center
+    std::atomic<double> low = 0, high = 0;  // of the distance of the center to the surface
+    std::uint32_t first_triangle = 0;       // from which the nearest one is searched
+    std::atomic<std::uint32_t> triangle = 0, first_child = 0;
+    std::atomic<Label> label = Label::Unknown;
+    std::atomic<Side> side = Side::Unknown;  // of the center
+  };
+
+  // Cells by number, which stay where they are while more are added.
+  class Store {
+   public:
+    Store() : blocks_(kMostBlocks) { clear(); }
+    Cell& operator[](std::uint32_t k) { return blocks_[k / kBlock][k % kBlock]; }
+    const Cell& operator[](std::uint32_t k) const { return blocks_[k / kBlock][k % kBlock]; }
+    std::size_t size() const { return size_; }
+    /// All but the root, which is as new.
+    void clear();
+    /// Gives a cell its eight children, unless another thread has.
+    /// @return The first of them.
+    std::uint32_t divide(Cell& parent, Side side);
+
+   private:
+    static constexpr std::size_t kBlock = std::size_t{1} << 13;
+    static constexpr std::size_t kMostBlocks = 16 * kReachCells / kBlock;
+    std::vector<std::unique_ptr<Cell[]>> blocks_;
+    std::atomic<std::size_t> size_ = 0;
+    std::mutex adding_;
   };
 
   Side side_of(const RationalPoint& x) const;
@@ -102,8 +130,7 @@ class ReachCells {
   NearTriangles triangles_;
   double limit_down_, limit_up_, limit_near_, least_half_ = 2;
   bool is_at_zero_;
-  std::size_t most_;
-  std::vector<Cell> cells_{1};
+  Store cells_;
 };
 
 }  // namespace convexact

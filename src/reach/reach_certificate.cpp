@@ -74,7 +74,7 @@ class CertificateWriter {
       if (!settles(part, number)) open.push_back(&part);
     }
     if (open.empty()) return;
-    if (place.half <= cells_.least_half() || !cells_.may_have_children(place.cell)) {
+    if (place.half <= cells_.least_half() || made_.cells.size() + 8 > kReachCells) {
       throw Error(
           ErrorCode::Unrepresentable,
           "cells alone do not prove how far a part reaches, or only more cells than a proof "

@@ -11,6 +11,7 @@
 #include "reach/reach_search.hpp"
 #include "reach/walk_cells.hpp"
 #include "surface/flat_polygon.hpp"
+#include "task/parallel.hpp"
 
 namespace convexact {
 namespace {
@@ -77,9 +78,12 @@ class CellWalk {
         if (is_beyond_) return Below::Stop;
       }
     }
-    const bool is_least = place.half <= least_half() || !cells_.may_have_children(place.cell);
+    const bool is_least = place.half <= least_half() || opened_ == kReachCells;
     if (decides(met, is_least)) return is_beyond_ ? Below::Stop : Below::Skip;
-    if (!is_least) return Below::Visit;
+    if (!is_least) {
+      opened_ += 8;
+      return Below::Visit;
+    }
     is_open_ = true;
     if (open_.distance < cells_.distance(place.cell).high) {
       open_ = {nearest_point(place), cells_.distance(place.cell).high};
@@ -110,6 +114,7 @@ class CellWalk {
   }
 
   FarPlace open_{Point::Zero(), 0};
+  std::size_t opened_ = 0;  // cells, known ones as well
   const NearPart& near_;
   const Watch& watch_;
 };
@@ -282,13 +287,16 @@ class FarthestWalk {
     const auto clear = clear_point(cells_, near_, met, part.nearest);
     if (clear && !clear->is_outside) return Below::Skip;
     if (place.half <= cells_.limit_up() * kFine) return Below::Skip;
-    return cells_.may_have_children(place.cell) ? Below::Visit : Below::Skip;
+    if (opened_ == kReachCells) return Below::Skip;
+    opened_ += 8;
+    return Below::Visit;
   }
 
   ReachCells& cells_;
   const NearPart& near_;
   const Watch& watch_;
   std::optional<FarPlace> best_;
+  std::size_t opened_ = 0;  // cells, known ones as well
 };
 
 // The part in the frame of the cells, which must hold it.
@@ -393,9 +401,8 @@ bool ReachLimit::allows_near(std::span<const Point> points, const Watch& watch) 
 
 // Where the part is so thin that it holds no center, the place is near it, in a cell that is not
 // fine.
-std::optional<FarPlace> ReachLimit::farthest(std::span<const Point> points, const Watch& watch) {
-  ReachCells& cells = search_->cells;
-  cells.make_room();
+std::optional<FarPlace> ReachLimit::Search::farthest(std::span<const Point> points,
+                                                     const Watch& watch) {
   // A sliver along a face would take cells as small as T all over it.
   if (cells.is_at_zero() && are_near_one_triangle(cells, points)) return {};
   const NearPart near = inner_in_frame(cells, NearPart(near_solid(points)));
@@ -404,6 +411,15 @@ std::optional<FarPlace> ReachLimit::farthest(std::span<const Point> points, cons
   if (cells.is_at_zero()) return walk.open_place();
   if (auto found = FarthestWalk(cells, near, watch).find()) return found;
   return walk.open_place();
+}
+
+std::vector<std::optional<FarPlace>> ReachLimit::farthest_of_each(
+    std::span<const std::vector<Point>> parts, std::size_t jobs, const Watch& watch) {
+  search_->cells.make_room();
+  std::vector<std::optional<FarPlace>> found(parts.size());
+  for_each_in_parallel(parts.size(), jobs,
+                       [&](std::size_t k) { found[k] = search_->farthest(parts[k], watch); });
+  return found;
 }
 
 const NearFrame& ReachLimit::frame() const { return search_->cells.frame(); }

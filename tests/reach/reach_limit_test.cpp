@@ -4,6 +4,7 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "cells.hpp"
@@ -80,6 +81,10 @@ std::set<Cell> slot_cells() {
 }
 
 Rational squared_of(double x) { return to_rational(x) * to_rational(x); }
+
+std::optional<FarPlace> farthest_in(ReachLimit& limit, const std::vector<Point>& points) {
+  return limit.farthest_of_each(std::span(&points, 1)).front();
+}
 
 }  // namespace
 
@@ -369,7 +374,7 @@ TEST_CASE("reach: the farthest point of a hull whose facet runs through centers 
     corners.push_back(limit.frame()(world.surface.points[PointId(k)]));
   }
   // In the middle of the slanted facet, 1/2 from both walls of the notch.
-  const auto far = limit.farthest(corners);
+  const auto far = farthest_in(limit, corners);
   REQUIRE(far);
   const double unit = limit.frame().root_up(1);
   CHECK(far->distance <= unit / 2 * (1 + 1e-9));
@@ -460,7 +465,7 @@ TEST_CASE("reach: slivers just beyond T are not within") {
     CHECK(limit(part_of(box)).reach != Reach::Within);
     CHECK_FALSE(limit.allows(part_of(box)));
     CHECK_FALSE(limit.allows_near(support::box_corners(box)));
-    CHECK(limit.farthest(support::box_corners(box)));
+    CHECK(farthest_in(limit, support::box_corners(box)));
   }
 }
 
@@ -490,7 +495,7 @@ TEST_CASE("reach: a wedge that ends in a gap is not within") {
   REQUIRE(limit.frame().exponent == 0);
   CHECK(limit(part_of(wedge)).reach == Reach::Beyond);
   CHECK_FALSE(limit.allows_near(wedge));
-  CHECK(limit.farthest(wedge));
+  CHECK(farthest_in(limit, wedge));
 }
 
 TEST_CASE("reach: however few cells wait, the same ones are visited") {
@@ -513,6 +518,38 @@ TEST_CASE("reach: however few cells wait, the same ones are visited") {
   const std::set<std::uint32_t> all = visited(kMostWaiting);
   CHECK(all.size() > 100);
   for (const std::size_t most : {1u, 2u, 7u}) CHECK(visited(most) == all);
+}
+
+TEST_CASE("reach: parts asked about at the same time are answered as one after another") {
+  const World world(support::mesh_of_cells(slot_cells()));
+  Random random(55);
+  const auto coordinate = [&](int size) {
+    return static_cast<double>(uniform_below(random, 64 * size + 1)) / 64;
+  };
+  const ReachLimit frame = world.limit(squared_of(0.3), {});
+  std::vector<std::vector<Point>> parts(40);
+  for (std::vector<Point>& points : parts) {
+    for (int k = 0; k < 8; ++k) {
+      const Point x(coordinate(4), coordinate(1), coordinate(3));
+      points.push_back(frame.frame()(RationalPoint(x.cast<Rational>())));
+    }
+  }
+  const auto answers = [&](std::size_t jobs) {
+    ReachLimit limit = world.limit(squared_of(0.3), {});
+    std::vector<std::array<double, 4>> found;
+    for (const auto& far : limit.farthest_of_each(parts, jobs)) {
+      const Point y = far ? far->point : Point::Zero();
+      found.push_back({far ? far->distance : 0, y[0], y[1], y[2]});
+    }
+    return std::pair(found, limit.cells());
+  };
+  const auto alone = answers(1);
+  CHECK(std::ranges::count(alone.first, std::array<double, 4>{}) > 2);
+  CHECK(std::ranges::count(alone.first, std::array<double, 4>{}) < 38);
+  for (const std::size_t jobs : {2u, 3u, 8u, 8u, 8u}) {
+    CAPTURE(jobs);
+    CHECK(answers(jobs) == alone);
+  }
 }
 
 TEST_CASE("reach: what it refuses") {

@@ -294,13 +294,17 @@ FAULTS = [
     (SKIP, 'overlay/misses',
      'return near_hull(differences, Point::Zero()).bounds.low > kMargin;', 'return true;', 'overlay'),
 
+    (CONSTANT, 'oracle/near', 'const double off = near_ + relative_ * size;', 'const double off = 0;', 'oracle'),
+    (SKIP, 'fast/collect_tie', 'return same < queue_.key(i) && !dual_.seem_congruent(i, top);', 'return false;', 'fast'),
+    (TIE, 'fast/collect_tie', ' && !dual_.seem_congruent(i, top);', ';', 'fast'),
+
     # How far parts reach.
-    (SIGN, 'reach/label', 'cell.high + radius <= limit_near_', 'cell.high <= limit_near_', 'reach'),
+    (SIGN, 'reach/label', 'high + radius <= limit_near_', 'high <= limit_near_', 'reach'),
     (SKIP, 'reach/label', ' && side(place) == Side::Inside', '', 'reach'),
     (SKIP, 'reach/is_near_one_triangle', 'for (int k = 0; k < 8; ++k)', 'for (int k = 0; k < 7; ++k)', 'reach'),
-    (STALE, 'reach/children', 'if (parent.low > place.radius() / 2) child.side = parent.side;', 'child.side = parent.side;', 'reach'),
+    (STALE, 'reach/children', 'is_beside ? cell.side.load(kRelaxed) : Side::Unknown', 'cell.side.load(kRelaxed)', 'reach'),
     (SKIP, 'reach/refute', 'if (!(is_center ? cells_.is_outside(place) : cells_.is_outside(y))) return;', '', 'reach'),
-    (SKIP, 'reach/visit', '    if (!is_least) return Below::Visit;\n    is_open_ = true;\n', '    if (!is_least) return Below::Visit;\n', 'reach'),
+    (SKIP, 'reach/visit', '    is_open_ = true;\n', '', 'reach'),
     (SKIP, 'reach/has_no_triangle', '  box.include(c);\n', '', 'reach'),
     (SKIP, 'reach/inner_part', '  if (!(inside > 2 * kDepth + kReachError)) return {};\n', '', 'reach'),
     (SKIP, 'reach/clear_point', 'cells.is_outside(c)};', 'false};', 'reach'),
