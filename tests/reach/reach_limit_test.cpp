@@ -528,10 +528,11 @@ TEST_CASE("reach: parts asked about at the same time are answered as one after a
   };
   const ReachLimit frame = world.limit(squared_of(0.3), {});
   std::vector<std::vector<Point>> parts(40);
-  for (std::vector<Point>& points : parts) {
+  for (std::size_t p = 0; p < parts.size(); ++p) {
+    const int width = p % 3 == 0 ? 1 : 4;  // in a wall, or across the slot
     for (int k = 0; k < 8; ++k) {
-      const Point x(coordinate(4), coordinate(1), coordinate(3));
-      points.push_back(frame.frame()(RationalPoint(x.cast<Rational>())));
+      const Point x(coordinate(width), coordinate(1), coordinate(3));
+      parts[p].push_back(frame.frame()(RationalPoint(x.cast<Rational>())));
     }
   }
   const auto answers = [&](std::size_t jobs) {
