@@ -95,7 +95,7 @@ struct StageWatch {
   /// Called as a stage begins.
   std::function<void(const std::string& stage)> begins = {};
   /// Called from time to time with the number of steps done and the number of all steps of a long
-  /// stage.
+  /// stage: one call at a time, of a stage that works on several threads on any of them.
   std::function<void(const std::string& stage, std::size_t done, std::size_t total)> progress = {};
   /// When it becomes true, the request ends with Error Stopped. A signal handler may set it.
   const std::atomic<bool>* stop = nullptr;

@@ -90,7 +90,8 @@ struct FarPlace {
 inline const Rational kLeastReach{1, 1 << 20};
 
 /// Decides for convex parts whether they lie within T of a solid. What it learns of the space
-/// around the solid serves all parts, so its calls are not for several threads at once.
+/// around the solid serves all parts, and may be forgotten between them: calls are not for several
+/// threads at once.
 /// @par Method  A lazy octree of cells. A cell is fine if all its corners are within T of one
 ///              triangle (a convex set around a triangle, dilated, is convex), or if it lies in the
 ///              solid. A part is within T if it meets fine cells only, and beyond it if some point
@@ -135,6 +136,7 @@ class ReachLimit {
   /// For the hull of each list of such points: about its farthest point from the solid, up to 3% of
   /// its distance; nothing if cells alone prove that the hull is within T.
   /// @param jobs  Threads, at least 1, on which the answer does not depend.
+  /// @throws As above.
   [[nodiscard]] std::vector<std::optional<FarPlace>> farthest_of_each(
       std::span<const std::vector<Point>> parts, std::size_t jobs = 1, const Watch& watch = {});
 
@@ -156,8 +158,8 @@ class ReachLimit {
   std::unique_ptr<Search> search_;
 };
 
-/// The largest number of cells for a part; those that need more are Undecided. Half as many are
-/// kept for the next one.
+/// The largest number of cells that a walk down to a part opens; parts that need more are
+/// Undecided. Up to half as many are kept for the next part.
 inline constexpr std::size_t kReachCells = std::size_t{1} << 22;
 
 }  // namespace convexact

@@ -234,8 +234,8 @@ struct FloatBound {
   std::size_t doubtful = 0;   ///< Steps of which these two are not proven.
   double least_next = 0;      ///< A lower bound of the cost of any further removal, as the steps'
                               ///< costs; infinite if all are proven to be unbounded.
-  std::size_t ties = 0;       ///< Steps in which doubles could not tell which removal is the
-                              ///< cheapest, so that the canonical order decided.
+  std::size_t ties = 0;       ///< Steps in which the least estimates are equal, or of facets that a
+                              ///< symmetry relates, so that the canonical order decided.
   bool is_end_proven = true;  ///< Whether exact numbers, too, would have ended the run there.
 
   /// Whether everything is proven. If not, the filtered engine gives a proven answer.

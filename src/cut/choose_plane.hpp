@@ -19,6 +19,7 @@ namespace convexact {
 /// @param winding  Null for an open surface.
 /// @param jobs     Threads, at least 1; the choice does not depend on them.
 /// @return An index into `planes`.
+/// @throws Error Stopped when the watch ends the call.
 /// @par Cost  For each plane the leaf's edges, and hulls of up to 216 points; hulls of up to 1,944
 ///            and then of all points, where these do not rule the plane out.
 [[nodiscard]] std::optional<std::size_t> choose_plane(const Leaf& leaf, const Point& far,

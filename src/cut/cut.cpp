@@ -8,6 +8,7 @@
 #include <span>
 #include <utility>
 
+#include "convexact/error.hpp"
 #include "convexact/hull.hpp"
 #include "convexact/overlay.hpp"
 #include "convexact/partition.hpp"
@@ -272,6 +273,7 @@ class Cutter {
   // The triangles and corners of a leaf.
   void describe(PartitionLeaf& made) const {
     const Watch watch = options_.watch.without_reports();
+    watch.ask();
     const Leaf& leaf = *leaves_[made.node];
     for (const Piece& piece : leaf.pieces) made.triangles.emplace_back(piece.triangle);
     const PointSet points = outer_points(leaf);
@@ -319,6 +321,7 @@ class Cutter {
 
 Partition cut(const Surface& surface, const Winding* winding, ReachLimit& limit,
               const PartitionOptions& options) {
+  if (options.jobs == 0) throw Error(ErrorCode::InvalidArgument, "no work without a thread");
   return Cutter(surface, winding, limit, options).run();
 }
 

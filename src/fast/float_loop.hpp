@@ -110,7 +110,7 @@ class FloatLoop {
   enum State : unsigned char { kFresh = 0, kStale = 1, kWide = 2, kLonger = 4 };
   const Scalar infinity_ = Scalar(std::numeric_limits<double>::infinity());
   const Scalar narrow_;  // estimate over lower bound, at most
-  const Scalar same_;  // one estimate of a tie over another, at most, where no symmetry explains it
+  const Scalar same_;    // the same of a tie that no symmetry explains: a guess, not a bound
   KeyedQueue<Scalar> queue_;
   std::vector<unsigned char> state_;
   std::vector<Scalar> lower_;     // of cost_multiple() times the cost, as last enclosed

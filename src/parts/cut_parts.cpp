@@ -111,6 +111,7 @@ class PartCutter {
     for_each_in_parallel(
         stored.size(), jobs_of(request_),
         [&](std::size_t k) {
+          watch.ask();
           const PartitionLeaf& leaf = partition.leaves[k];
           stored[k] = stored_corners(leaf.corners, leaf.is_flat, squared_diameter_,
                                      request_.precision, watch.without_reports());

@@ -83,16 +83,16 @@ class JoinedHulls {
     if (known != hulls_.end()) return *known->second;
     return add({std::move(both), points_of(a, b)});
   }
-  // One with each of several, on several threads.
-  std::vector<Joined*> join_each(const Joined& one, std::span<Joined* const> others) {
+  // Each of several with one, on several threads.
+  std::vector<Joined*> join_each(std::span<Joined* const> others, const Joined& one) {
     std::vector<Wanted> wanted;
     for (const Joined* other : others) {
       PieceSet both = united(one.pieces, other->pieces);
-      if (!hulls_.contains(both)) wanted.push_back({std::move(both), points_of(one, *other)});
+      if (!hulls_.contains(both)) wanted.push_back({std::move(both), points_of(*other, one)});
     }
     add_all(std::move(wanted));
     std::vector<Joined*> joined;
-    for (const Joined* other : others) joined.push_back(&join(one, *other));
+    for (const Joined* other : others) joined.push_back(&join(*other, one));
     return joined;
   }
 
@@ -267,7 +267,7 @@ class ReachMerger {
         near.push_back(a);
         others.push_back(numbered[a]);
       }
-      const std::vector<Joined*> joined = hulls_.join_each(*numbered[b], others);
+      const std::vector<Joined*> joined = hulls_.join_each(others, *numbered[b]);
       for (std::size_t k = 0; k < near.size(); ++k) {
         const double added = joined[k]->volume - others[k]->volume - numbered[b]->volume;
         queue.emplace(key(added), std::min(near[k], b), std::max(near[k], b));
@@ -345,7 +345,7 @@ class ReachMerger {
       near.push_back(k);
       others.push_back(in.parts[k]);
     }
-    const std::vector<Joined*> joined = hulls_.join_each(hulls_.piece(piece), others);
+    const std::vector<Joined*> joined = hulls_.join_each(others, hulls_.piece(piece));
     std::vector<std::pair<double, std::size_t>> order;
     for (std::size_t i = 0; i < near.size(); ++i) {
       order.emplace_back(joined[i]->volume - others[i]->volume, near[i]);

@@ -58,8 +58,8 @@ class ReachCells {
   /// Whether T is 0: the limit is that of cells only, and what is certainly outside is beyond.
   bool is_at_zero() const { return is_at_zero_; }
   std::size_t size() const { return cells_.size(); }
-  /// Forgets all cells if there are more than half as many as are kept, so that other questions
-  /// have room. What they were is found again. Not while another thread asks.
+  /// Forgets all cells if there are more than half of kReachCells, so that other questions have
+  /// room. What they were is found again. Not while another thread asks.
   void make_room() {
     if (cells_.size() > kReachCells / 2) cells_.clear();
   }

@@ -23,6 +23,8 @@ constexpr std::size_t kClipPlanes = 24;
 // What a part and a cell have in common is cut at the walls of so many triangles, one after
 // another.
 constexpr std::size_t kMostWalls = 3;
+// Parts that are asked about at the same time: each walks twice, and opens kReachCells each time.
+constexpr std::size_t kTogether = 4;
 
 // The way down the cells for one part, by cells alone.
 class CellWalk {
@@ -415,10 +417,13 @@ std::optional<FarPlace> ReachLimit::Search::farthest(std::span<const Point> poin
 
 std::vector<std::optional<FarPlace>> ReachLimit::farthest_of_each(
     std::span<const std::vector<Point>> parts, std::size_t jobs, const Watch& watch) {
-  search_->cells.make_room();
   std::vector<std::optional<FarPlace>> found(parts.size());
-  for_each_in_parallel(parts.size(), jobs,
-                       [&](std::size_t k) { found[k] = search_->farthest(parts[k], watch); });
+  for (std::size_t first = 0; first < parts.size(); first += kTogether) {
+    search_->cells.make_room();
+    for_each_in_parallel(std::min(kTogether, parts.size() - first), jobs, [&](std::size_t k) {
+      found[first + k] = search_->farthest(parts[first + k], watch);
+    });
+  }
   return found;
 }
 

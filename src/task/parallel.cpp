@@ -22,13 +22,13 @@ void for_each_in_parallel(std::size_t count, std::size_t jobs,
     for (std::size_t i = next++; i < count && !has_failed; i = next++) {
       try {
         work(i);
+        if (!finished) continue;
+        const std::lock_guard lock(mutex);
+        finished(++done);
       } catch (...) {
         errors[i] = std::current_exception();
         has_failed = true;
       }
-      if (!finished) continue;
-      const std::lock_guard lock(mutex);
-      finished(++done);
     }
   };
   std::vector<std::thread> threads;

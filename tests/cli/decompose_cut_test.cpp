@@ -99,7 +99,6 @@ TEST_CASE("decompose cut: JSON, trace, picture, tree and proof of one run") {
   CHECK(run_program("verify " + input + " " + scratch.file("tree.json") + " --union").exit == 0);
 }
 
-// Smaller meshes have too few points for threads.
 TEST_CASE("decompose cut: any number of threads makes the same bytes" * sweep) {
   const ScratchFolder scratch;
   const std::string list = scratch.file("parts.json"), mesh = scratch.file("parts.obj"),

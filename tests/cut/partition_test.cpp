@@ -336,7 +336,36 @@ TEST_CASE("cut: the cuts are the same for any number of threads") {
       CHECK(made.partition.nodes[n].plane == alone.partition.nodes[n].plane);
     }
     CHECK(made.partition.planes_tried == alone.partition.planes_tried);
+    REQUIRE(made.partition.leaves.size() == alone.partition.leaves.size());
+    for (std::size_t k = 0; k < made.partition.leaves.size(); ++k) {
+      CHECK(made.partition.leaves[k].is_within == alone.partition.leaves[k].is_within);
+      CHECK(made.partition.leaves[k].triangles == alone.partition.leaves[k].triangles);
+      CHECK(corners_of(made.partition.leaves[k]) == corners_of(alone.partition.leaves[k]));
+    }
   }
+}
+
+TEST_CASE("cut: any number of threads stops at as many leaves, and takes facets alone") {
+  std::mt19937_64 random(483);
+  const Mesh mesh = turned_boxes(random, 3);
+  for (const PartitionOptions& options :
+       {PartitionOptions{.max_leaves = 5}, PartitionOptions{.planes = CutPlanes::Facets}}) {
+    const Cut alone(mesh, "1/100", options);
+    CHECK(alone.partition.leaves.size() >= 5);
+    CHECK(alone.partition.stopped_by_count == options.max_leaves.has_value());
+    for (const std::size_t jobs : {2u, 8u}) {
+      PartitionOptions several = options;
+      several.jobs = jobs;
+      const Cut made(mesh, "1/100", several);
+      REQUIRE(made.partition.nodes.size() == alone.partition.nodes.size());
+      for (std::size_t n = 0; n < made.partition.nodes.size(); ++n) {
+        CHECK(made.partition.nodes[n].plane == alone.partition.nodes[n].plane);
+      }
+      CHECK(made.partition.planes_tried == alone.partition.planes_tried);
+      CHECK(made.partition.leaves.size() == alone.partition.leaves.size());
+    }
+  }
+  CHECK_THROWS_AS(Cut(mesh, "1/100", {.jobs = 0}), Error);
 }
 
 TEST_CASE("cut: scale by powers of two, order and repeats change nothing") {

@@ -3,6 +3,7 @@
 each, and, if asked for, the smallest input that `convexact shrink` finds for the worst one."""
 import html
 import shlex
+import signal
 import subprocess
 import time
 from dataclasses import dataclass, field
@@ -42,7 +43,8 @@ def hull_finding(program, record, source, target, faces):
         return ["--fails-if", "verdict", "--claims", claim, *more, *numbers]
     if outcome in ("time", "no file") or outcome.startswith("signal"):
         said = {"time": "no answer in time", "no file": "an empty result, and no error"}.get(outcome, f"{outcome} ended the process")
-        return Finding(0 if outcome.startswith("signal") else 1, 0, record["case"], said, source, faces, words, [], ["--fails-if", "exit"])
+        fails_if = verdict("candidate-readable") if outcome == "no file" else ["--fails-if", "exit"]
+        return Finding(0 if outcome.startswith("signal") else 1, 0, record["case"], said, source, faces, words, [], fails_if)
     if found is None:
         return None
     if not found["solid"]:
@@ -118,18 +120,20 @@ def picture(convexact, name, finding, seconds):
 
 
 def smallest(convexact, program, finding, seconds):
-    """The command, and the smallest input as text, or why there is none."""
+    """The command, and the smallest input that it found in that time as text, or why there is none."""
     path = FOLDER / program.name / f"{finding.case}-smallest.obj"
     path.parent.mkdir(parents=True, exist_ok=True)
     path.unlink(missing_ok=True)
     words = ["shrink", finding.source, "-o", path, "--faces", finding.faces, "--output-format", program.writes, *finding.shrink,
              "--", *program.command]
-    try:
-        done = subprocess.run([convexact, *map(str, words)], capture_output=True, text=True, timeout=seconds, check=False)
-        fault = (done.stderr.strip().splitlines() or ["no message"])[-1] if done.returncode else ""
-    except subprocess.TimeoutExpired:
-        fault = f"not reduced in {seconds:.0f} s"
-    return command(["convexact", *words]), fault or path.read_text()
+    with subprocess.Popen([convexact, *map(str, words)], stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True) as done:
+        try:
+            said = done.communicate(timeout=seconds)[1]
+        except subprocess.TimeoutExpired:
+            done.send_signal(signal.SIGINT)  # it leaves what it has
+            said = done.communicate()[1]
+    fault = (said.strip().splitlines() or ["no message"])[-1]
+    return command(["convexact", *words]), path.read_text() if path.exists() else fault
 
 
 def section(convexact, program, finding, options):

@@ -72,3 +72,13 @@ TEST_CASE("for_each_in_parallel: the failure of the lowest number is thrown, and
     CHECK(begun < 1000);
   }
 }
+
+TEST_CASE("for_each_in_parallel: what a callback throws gets to the caller, on any thread") {
+  for (const std::size_t jobs : {1u, 2u, 8u}) {
+    CAPTURE(jobs);
+    const auto cancel = [](std::size_t done) {
+      if (done == 10) throw std::runtime_error("cancelled");
+    };
+    CHECK_THROWS_AS(for_each_in_parallel(1000, jobs, delay, cancel), std::runtime_error);
+  }
+}

@@ -79,6 +79,7 @@ class PlanesOfTheInput {
   PlanesOfTheInput(const Polytope& polytope, Precision precision, const Polytope& input)
       : polytope_(polytope),
         planes_(input.planes),
+        near_planes_(input.planes.begin(), input.planes.end()),
         slack_(
             kRoundingUlps *
             unit_in_last_place(precision, bounding_box(polytope.vertices).largest_coordinate())) {
@@ -90,9 +91,10 @@ class PlanesOfTheInput {
     for (const Point& v : vertices_) largest = std::max(largest, v.lpNorm<Eigen::Infinity>());
     largest = std::max(largest,
                        to_double(bounding_box(input.vertices).largest_coordinate(), Rounding::Up));
-    std::vector<DoubleHalfspace> near(planes_.begin(), planes_.end());
+    arrays_.emplace(vertices_);
     // No component of a normal is above 1 there.
-    tree_.emplace(near, sum, largest, 3 * to_double(slack_, Rounding::Up));
+    most_ = 3 * to_double(slack_, Rounding::Up);
+    tree_.emplace(near_planes_, sum, largest, most_);
   }
 
   // The plane that the patch is in; one that has it exactly first.
@@ -104,7 +106,7 @@ class PlanesOfTheInput {
     std::vector<Point> corners;
     for (const std::uint32_t v : polytope_.facets[patch[0]]) corners.push_back(vertices_[v]);
     for (const std::uint32_t i : tree_->near(corners)) {
-      if (is_near(planes_[i], patch)) return planes_[i];
+      if (may_be_near(i, patch[0]) && is_near(planes_[i], patch)) return planes_[i];
     }
     return std::nullopt;
   }
@@ -114,6 +116,14 @@ class PlanesOfTheInput {
     Point near;
     for (int k = 0; k < 3; ++k) near[k] = to_double(x[k], Rounding::Nearest);
     return near;
+  }
+  bool may_be_near(std::uint32_t plane, std::uint32_t facet) const {
+    const std::vector<std::uint32_t>& corners = polytope_.facets[facet];
+    const double absolute = absolute_plane_error(arrays_->largest);
+    return std::all_of(corners.begin(), corners.end(), [&](std::uint32_t v) {
+      const NearValue near = near_planes_[plane].at(*arrays_, v, absolute);
+      return !(std::abs(near.value) - near.error > most_);
+    });
   }
   bool is_near(const Halfspace& h, const std::vector<std::uint32_t>& patch) const {
     Rational limit = 0;
@@ -127,8 +137,11 @@ class PlanesOfTheInput {
 
   const Polytope& polytope_;
   std::span<const Halfspace> planes_;  // in canonical order
+  std::vector<DoubleHalfspace> near_planes_;
   const Rational slack_;
   std::vector<Point> vertices_;
+  std::optional<CoordinateArrays> arrays_;  // of these
+  double most_ = 0;  // how far from a plane is near, in units of its largest normal component
   std::optional<DualTree> tree_;
 };
 
