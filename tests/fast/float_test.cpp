@@ -8,9 +8,11 @@
 #include <vector>
 
 #include "check_bounded.hpp"
+#include "convexact/io.hpp"
 #include "convexact/shapes.hpp"
 #include "expect_error.hpp"
 #include "fast/engines.hpp"
+#include "process.hpp"
 #include "shapes/makers.hpp"
 #include "simplify_points.hpp"
 
@@ -87,6 +89,18 @@ TEST_CASE("simplify_float: ties that no symmetry of the axes explains end likewi
     const FastResult sure = simplify_filtered(dual, {.faces = 8}),
                      quick = simplify_float(dual, {.faces = 8});
     CHECK(quick.bound->ties > 0);
+    CHECK(quick.survivors == sure.survivors);
+  }
+}
+
+TEST_CASE("simplify_float: mirror images tie where rounding tells their costs apart") {
+  const PointSet set = read_mesh(support::data("teapot.obj")).points;
+  const Hull hull = std::get<Hull>(convex_hull(set));
+  const FastDual dual = FastDual::of(hull, set);
+  for (const std::size_t faces : {6u, 400u, 900u}) {
+    CAPTURE(faces);
+    const FastResult sure = simplify_filtered(dual, {.faces = faces}),
+                     quick = simplify_float(dual, {.faces = faces});
     CHECK(quick.survivors == sure.survivors);
   }
 }
