@@ -14,7 +14,7 @@ from tables import write_page  # noqa: E402
 
 # By rank of a finding. The others are no faults of a program that promises neither exactness nor more than it keeps.
 KINDS = {0: "signal", 1: "nothing", 2: "no-volume", 3: "outside"}
-COLUMNS = ("ends the process", "no answer, or nothing", "no volume", "points outside, by more than it promises")
+COLUMNS = ("ends the process", "no answer, or nothing", "no volume", "points outside")
 MOST_TRIED = 3  # inputs of one kind, the worst first, if those before could not be reduced
 MOST_SHOWN = 8  # points in the table
 
@@ -50,12 +50,13 @@ def reduced(program, found, options):
 
 
 def cell(found, finding, text):
-    """How many inputs have the fault, and the smallest one."""
+    """How many inputs have the fault, how far at the worst, and the smallest input."""
+    count = f"{len(found)}, at most {found[0].size:.1g} D" if found[0].size else f"{len(found)}"
     if finding is None:
-        return f"{len(found)}; not reduced: {text.replace('|', '/')}"
+        return f"{count}; not reduced: {text.replace('|', '/')}"
     points = points_of(text)
     listed = ": " + "; ".join(points) if len(points) <= MOST_SHOWN else ""
-    return f"{len(found)}; {counted(len(points))}{listed}"
+    return f"{count}; {counted(len(points))}{listed}"
 
 
 def counted(points):
