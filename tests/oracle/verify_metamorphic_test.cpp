@@ -110,13 +110,11 @@ std::optional<Halfspace> plane_of_patch(const std::vector<std::uint32_t>& patch,
 }  // namespace
 
 TEST_CASE("verify: planes of the input are those by definition where vertices move by an ulp") {
-  constexpr std::uint64_t kEvery = 23;  // all of them take minutes
   std::uint64_t seed = 0;
   std::size_t found = 0, lost = 0;
   for_each_solid([&](const SolidInput& solid) {
-    if (++seed % kEvery != 0) return;
     Mesh mesh = hull_mesh(solid);
-    const Points moved = perturb::nudged(solid.points, seed);
+    const Points moved = perturb::nudged(solid.points, ++seed);
     if (!std::ranges::all_of(moved, [](const Point& p) { return p.allFinite(); })) return;
     mesh.points = PointSet(moved);
     const HullOutcome outcome = convex_hull(mesh.points);
