@@ -71,7 +71,7 @@ class ExactConcavity {
  private:
   const Surface* surface_;
   ConcavityMeasure measure_;
-  std::vector<IntegerVector3> normals_;  // by point, of rays from these
+  std::vector<IntegerVector3> normals_;  // by point; none by Surface
 };
 
 /// The points of a cluster, ascending, each once.

@@ -90,7 +90,7 @@ class ReachCells {
  private:
   static constexpr auto kRelaxed = std::memory_order_relaxed;
   enum class Side : std::uint8_t { Unknown, Outside, Inside };
-  // All but the first triangle is found at the first question; the label is written last.
+  // Distance, triangle and label are found together, and the label is written last.
   struct Cell {
     std::atomic<double> low = 0, high = 0;  // of the distance of the center to the surface
     std::uint32_t first_triangle = 0;       // from which the nearest one is searched

@@ -12,7 +12,7 @@ from run import all_cases  # noqa: E402
 from subjects import hull_finding, smallest  # noqa: E402
 from tables import write_page  # noqa: E402
 
-# By rank of a finding. The others are no faults of a program that promises neither exactness nor more than it keeps.
+# By rank of a finding. The others are what a program does within its promise, or may, as its faces are no exact planes.
 KINDS = {0: "signal", 1: "nothing", 2: "no-volume", 3: "outside"}
 COLUMNS = ("ends the process", "no answer, or nothing", "no volume", "points outside")
 MOST_TRIED = 3  # inputs of one kind, the worst first, if those before could not be reduced
