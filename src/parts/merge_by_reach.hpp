@@ -26,15 +26,12 @@ struct ReachMergeOptions {
   /// A volume in the frame that the parts' volumes together must not exceed, up to roundings. Where
   /// the pieces exceed it already, merging adds no volume.
   double most_volume = HUGE_VAL;
-  /// Each two parts must have a plane between them, up to kApart, except for `most_parts`.
+  /// Each two parts must have a plane between them, up to kApart (joined_hulls.hpp), except for
+  /// `most_parts`.
   bool keeps_apart = false;
   /// Threads, at least 1. The parts are the same for any number of them.
   std::size_t jobs = 1;
 };
-
-/// What parts may reach beyond a plane between them, in the frame, where coordinates are at most 2:
-/// about what rounding makes of a common facet.
-inline constexpr double kApart = 0x1p-42;
 
 /// The pieces of each part, ascending; the parts in the order of their lowest pieces.
 struct ReachMerged {
