@@ -115,8 +115,9 @@ struct DecomposeRequest {
   /// For Hacd: find the further merges of the clusters, for joins_of().
   bool for_tree = false;
   std::uint64_t seed = 1;  ///< Of every random order. The answer does not depend on it.
-  /// Threads for cutting and for merging by reach, >= 1; as many as the machine has cores if it is
-  /// not given. The answer does not depend on it.
+  /// Threads for cutting, for merging by reach and for what is made, proven and written of each
+  /// part, >= 1; as many as the machine has cores if it is not given. The answer does not depend on
+  /// it.
   std::optional<std::size_t> jobs = {};
   StageWatch watch = {};
 };

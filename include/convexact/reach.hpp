@@ -133,6 +133,12 @@ class ReachLimit {
   /// The same for the hull of points of the frame, at least one.
   [[nodiscard]] bool allows_near(std::span<const Point> points, const Watch& watch = {});
 
+  /// Of each of several parts whether allows() it.
+  /// @param jobs  Threads, at least 1, on which the answer does not depend.
+  /// @throws As above.
+  [[nodiscard]] std::vector<bool> allows_each(std::span<const ConvexPart> parts, std::size_t jobs,
+                                              const Watch& watch = {});
+
   /// For the hull of each list of such points: about its farthest point from the solid, up to 3% of
   /// its distance; nothing if cells alone prove that the hull is within T.
   /// @param jobs  Threads, at least 1, on which the answer does not depend.

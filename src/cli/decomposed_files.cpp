@@ -46,7 +46,8 @@ std::string in_folder(const std::string& folder, const std::string& file) {
 }
 
 void add_folder(FilesOfParts& out, const std::string& folder, Json document,
-                const std::vector<WrittenPart>& parts, const std::string& input) {
+                const std::vector<WrittenPart>& parts, const std::string& input,
+                std::optional<std::size_t> jobs) {
   out.folders.push_back(folder);
   std::set<std::string> written;
   for (std::size_t k = 0; k < parts.size(); ++k) {
@@ -59,7 +60,7 @@ void add_folder(FilesOfParts& out, const std::string& folder, Json document,
   }
   const std::string path = in_folder(folder, kPartsDocument);
   require_other_files({path}, {input});
-  out.files.emplace_back(path, proven_parts_json(document, parts, path));
+  out.files.emplace_back(path, proven_parts_json(document, parts, path, jobs));
   const LeftInFolder left = left_in_folder(folder, written, {input});
   out.removed.insert(out.removed.end(), left.stale.begin(), left.stale.end());
   for (const std::string& file : left.foreign) {
@@ -235,15 +236,15 @@ FilesOfParts decomposed_files(std::span<const DecomposedObject> objects,
     const PartsOutput kind = parts_output_of(path);
     if (kind == PartsOutput::Obj || kind == PartsOutput::Glb) {
       const MeshFormat format = kind == PartsOutput::Obj ? MeshFormat::Obj : MeshFormat::Gltf;
-      out.files.emplace_back(path, proven_parts_mesh(parts, format, path));
+      out.files.emplace_back(path, proven_parts_mesh(parts, format, path, request.jobs));
     } else if (is_model(kind)) {
       out.files.emplace_back(path, model_bytes(path, files.results, model.body, parts, input));
     } else {
       auto document = decomposition_json(objects, DecompositionDetail::All);
       if (kind == PartsOutput::Json) {
-        out.files.emplace_back(path, proven_parts_json(document, parts, path));
+        out.files.emplace_back(path, proven_parts_json(document, parts, path, request.jobs));
       } else {
-        add_folder(out, path, std::move(document), parts, input);
+        add_folder(out, path, std::move(document), parts, input, request.jobs);
       }
     }
   }

@@ -86,7 +86,6 @@ class PartCutter {
 
   CutParts cut_and_merge(const Rational& squared, const Way& way) {
     CutParts made;
-    std::size_t cells = 0;
     made.partition = log_.run(kCut, [&] {
       const Watch watch = log_.watch(kCut);
       ReachLimit fine(surface_, winding_, Rational(squared / (way.fineness * way.fineness)));
@@ -95,28 +94,23 @@ class PartCutter {
                                  .planes = way.planes,
                                  .jobs = jobs_of(request_),
                                  .watch = watch});
-      cells = fine.cells();
+      made.cells = fine.cells();
       return partition;
     });
     const std::vector<PointSet> leaves =
         log_.run(kStoreLeaves, [&] { return stored_leaves(made.partition); });
     log_.run(kMerge, [&] { merge(squared, leaves, made); });
-    made.cells = std::max(made.cells, cells);
     return made;
   }
 
   std::vector<PointSet> stored_leaves(const Partition& partition) const {
-    const Watch watch = log_.watch(kStoreLeaves);
     std::vector<PointSet> stored(partition.leaves.size());
-    for_each_in_parallel(
-        stored.size(), jobs_of(request_),
-        [&](std::size_t k) {
-          watch.ask();
-          const PartitionLeaf& leaf = partition.leaves[k];
-          stored[k] = stored_corners(leaf.corners, leaf.is_flat, squared_diameter_,
-                                     request_.precision, watch.without_reports());
-        },
-        [&](std::size_t done) { watch.report(done, stored.size()); });
+    for_each_in_parallel(stored.size(), jobs_of(request_), log_.watch(kStoreLeaves),
+                         [&](std::size_t k, const Watch& watch) {
+                           const PartitionLeaf& leaf = partition.leaves[k];
+                           stored[k] = stored_corners(leaf.corners, leaf.is_flat, squared_diameter_,
+                                                      request_.precision, watch);
+                         });
     return stored;
   }
 
@@ -145,17 +139,18 @@ class PartCutter {
           to_double(scale_by_power_of_two(volume_limit_->least(), -3 * limit.frame().exponent),
                     Rounding::Down);
     }
-    for (auto& group : merge_by_reach(pieces, limit, options, watch).parts) {
+    const auto groups = merge_by_reach(pieces, limit, options, watch).parts;
+    made.parts.resize(groups.size());
+    for_each_in_parallel(groups.size(), jobs_of(request_), [&](std::size_t p) {
       std::vector<Point> points;
-      for (const std::uint32_t k : group) {
+      for (const std::uint32_t k : groups[p]) {
         points.insert(points.end(), leaves[k].doubles().begin(), leaves[k].doubles().end());
       }
-      Part& part = made.parts.emplace_back();
-      part.leaves = std::move(group);
-      part.hull = convex_part(PointSet(std::move(points)), watch);
-    }
+      made.parts[p].leaves = groups[p];
+      made.parts[p].hull = convex_part(PointSet(std::move(points)), watch.without_reports());
+    });
+    made.cells = std::max(made.cells, limit.cells());
     made.merged = leaves.size() - made.parts.size();
-    made.cells = limit.cells();
   }
 
   // Whether binary32 made a leaf larger than the frame of the surface alone, which has room for
@@ -180,10 +175,8 @@ class PartCutter {
       if (!excess.holds) return {false, volume_share};
     }
     ReachLimit limit(surface_, winding_, squared_, boxes);
-    const bool is_near = std::all_of(stored.begin(), stored.end(), [&](const ConvexPart& part) {
-      return limit.allows(part, log_.watch(kMerge));
-    });
-    return {is_near, volume_share};
+    const auto near = limit.allows_each(stored, jobs_of(request_), log_.watch(kMerge));
+    return {std::find(near.begin(), near.end(), false) == near.end(), volume_share};
   }
 
   const Surface& surface_;

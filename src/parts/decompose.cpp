@@ -73,7 +73,7 @@ class Decomposer {
     drop_inner_as_stored(stored);
     log_.run("coverage by owners", [&] {
       const auto prove = cuts(request_) ? prove_leaves : prove_owners;
-      prove(made_, request_.watch.stop);
+      prove(made_, jobs_of(request_), log_.watch("coverage by owners"));
     });
     decide_reach(stored);
     if (volume_limit_) {
@@ -190,8 +190,8 @@ class Decomposer {
       });
       const std::size_t cells = limit_ ? limit_->cells() : 0;
       if (!limit_ || !are_hulls) limit_.emplace(reach_limit(made_.reach->squared_distance, boxes));
-      made_.reach->farther =
-          farther_parts(made_, stored, *limit_, StageWatch{.stop = request_.watch.stop}, watch);
+      made_.reach->farther = farther_parts(made_, stored, *limit_, jobs_of(request_),
+                                           StageWatch{.stop = request_.watch.stop}, watch);
       made_.reach->cells = std::max({made_.reach->cells, cells, limit_->cells()});
       if (const auto* clustering = std::get_if<Clustering>(&made_.origin)) {
         made_.reach->refused = clustering->refused;

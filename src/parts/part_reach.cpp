@@ -48,11 +48,13 @@ void require_told(const Rational& squared_share, bool is_closed) {
 }
 
 std::vector<Farther> farther_parts(const Decomposition& made, const std::vector<ConvexPart>& stored,
-                                   ReachLimit& limit, const StageWatch& quiet, const Watch& watch) {
+                                   ReachLimit& limit, std::size_t jobs, const StageWatch& quiet,
+                                   const Watch& watch) {
   std::vector<Farther> farther;
+  const std::vector<bool> allowed = limit.allows_each(stored, jobs, watch);
   for (std::size_t k = 0; k < stored.size(); ++k) {
     watch.at(k, stored.size());
-    if (limit.allows(stored[k], watch)) continue;
+    if (allowed[k]) continue;
     PartReach reach = limit(stored[k], watch);
     if (reach.reach != Reach::Within) farther.push_back({k, std::move(reach)});
   }

@@ -16,10 +16,11 @@ void require_told(const Rational& squared_share, bool is_closed);
 /// By cells; at a distance of 0 the volume outside of the solid decides what they leave open.
 /// @param limit  Of that distance, with room for the parts.
 /// @param made   With its surface, its parts, and `reach->squared_distance`.
+/// @param jobs   Threads, at least 1, on which the answer does not depend.
 /// @param quiet  For the volumes: it stops, and reports nothing.
 /// @throws Error Stopped.
 [[nodiscard]] std::vector<DecompositionReach::Farther> farther_parts(
     const Decomposition& made, const std::vector<ConvexPart>& stored, ReachLimit& limit,
-    const StageWatch& quiet, const Watch& watch);
+    std::size_t jobs, const StageWatch& quiet, const Watch& watch);
 
 }  // namespace convexact

@@ -13,6 +13,8 @@
 #include "convexact/measure.hpp"
 #include "convexact/simplify.hpp"
 #include "parts/flat_part.hpp"
+#include "parts/request_rules.hpp"
+#include "task/parallel.hpp"
 
 namespace convexact {
 namespace {
@@ -38,7 +40,7 @@ std::vector<PointId> all_ids(const PointSet& points) {
 
 // A part with a volume on its way to its stored form.
 struct Making {
-  Part* part;
+  Part* part = nullptr;
   PointSet corners;  // that it must hold
   Polytope solid;    // their hull, or around it
   bool is_simplified = false;
@@ -102,15 +104,15 @@ void take(SimplifyResult result, Making& making) {
 
 void simplify_each(std::vector<Making>& makings, const DecomposeRequest& request, StageLog& log) {
   log.run(stage::kSimplify, [&] {
-    const Watch watch = log.watch(stage::kSimplify);
-    std::size_t done = 0;
-    for (Making& making : makings) {
-      watch.at(done++, makings.size());
+    const auto simplify_one = [&](std::size_t k, const Watch&) {
+      Making& making = makings[k];
       const std::size_t faces = faces_to_keep(making.solid, request);
-      if (making.solid.planes.size() <= faces) continue;
+      if (making.solid.planes.size() <= faces) return;
       auto outcome = simplify(making.corners, simplify_request(request, faces));
       take(std::get<SimplifyResult>(std::move(outcome)), making);
-    }
+    };
+    for_each_in_parallel(makings.size(), jobs_of(request), log.watch(stage::kSimplify),
+                         simplify_one);
   });
 }
 
@@ -270,25 +272,26 @@ PointSet stored_corners(const PointSet& corners, bool is_flat, const Rational& s
 std::vector<ConvexPart> store_parts(std::vector<Part>& parts, const Rational& squared_diameter,
                                     const DecomposeRequest& request, StageLog& log) {
   const bool keeps_flat = request.flat == FlatParts::Keep;
-  std::vector<Making> makings;
+  const std::size_t jobs = jobs_of(request);
+  std::vector<std::size_t> solid, flat;
+  for (std::size_t k = 0; k < parts.size(); ++k) {
+    (parts[k].hull.solid || !keeps_flat ? solid : flat).push_back(k);
+  }
+  std::vector<Making> makings(solid.size());
   log.run(kStore, [&] {
-    const Watch watch = log.watch(kStore);
-    for (Part& part : parts) {
-      if (part.hull.solid || !keeps_flat) {
-        makings.push_back(begin(part, squared_diameter, request.precision, watch));
-      }
-    }
+    for_each_in_parallel(
+        solid.size(), jobs, log.watch(kStore), [&](std::size_t i, const Watch& watch) {
+          makings[i] = begin(parts[solid[i]], squared_diameter, request.precision, watch);
+        });
   });
   simplify_parts(makings, request, log);
-  std::vector<ConvexPart> stored;
+  std::vector<ConvexPart> stored(parts.size());
   log.run(kStore, [&] {
-    const Watch watch = log.watch(kStore);
-    auto making = makings.begin();
-    for (Part& part : parts) {
-      watch.at(stored.size(), parts.size());
-      stored.push_back(part.hull.solid || !keeps_flat ? finish(*making++, request.precision, watch)
-                                                      : keep_flat(part, request.precision));
-    }
+    for_each_in_parallel(solid.size(), jobs, log.watch(kStore),
+                         [&](std::size_t i, const Watch& watch) {
+                           stored[solid[i]] = finish(makings[i], request.precision, watch);
+                         });
+    for (const std::size_t k : flat) stored[k] = keep_flat(parts[k], request.precision);
   });
   return stored;
 }

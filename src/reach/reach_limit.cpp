@@ -23,7 +23,8 @@ constexpr std::size_t kClipPlanes = 24;
 // What a part and a cell have in common is cut at the walls of so many triangles, one after
 // another.
 constexpr std::size_t kMostWalls = 3;
-// Parts that are asked about at the same time: each walks twice, and opens kReachCells each time.
+// Parts that are asked about at the same time: each opens kReachCells a walk, of which there may be
+// two.
 constexpr std::size_t kTogether = 4;
 
 // The way down the cells for one part, by cells alone.
@@ -370,10 +371,13 @@ PartReach ReachLimit::operator()(const ConvexPart& part, const Watch& watch) {
   return PartWalk(cells, near, part, squared, watch).answer();
 }
 
+bool ReachLimit::Search::allows(NearPart part, const Watch& watch) {
+  return CellWalk(cells, inner_in_frame(cells, std::move(part)), watch).is_within();
+}
+
 bool ReachLimit::allows(const ConvexPart& part, const Watch& watch) {
-  ReachCells& cells = search_->cells;
-  cells.make_room();
-  return CellWalk(cells, inner_in_frame(cells, NearPart(part, cells.frame())), watch).is_within();
+  search_->cells.make_room();
+  return search_->allows(NearPart(part, frame()), watch);
 }
 
 // That settles most small clusters.
@@ -396,9 +400,8 @@ bool ReachLimit::allows_hull(std::span<const PointId> points, const Watch& watch
 }
 
 bool ReachLimit::allows_near(std::span<const Point> points, const Watch& watch) {
-  ReachCells& cells = search_->cells;
-  cells.make_room();
-  return CellWalk(cells, inner_in_frame(cells, NearPart(near_solid(points))), watch).is_within();
+  search_->cells.make_room();
+  return search_->allows(NearPart(near_solid(points)), watch);
 }
 
 // Where the part is so thin that it holds no center, the place is near it, in a cell that is not
@@ -415,15 +418,29 @@ std::optional<FarPlace> ReachLimit::Search::farthest(std::span<const Point> poin
   return walk.open_place();
 }
 
+void ReachLimit::Search::ask_each(std::size_t count, std::size_t jobs,
+                                  const std::function<void(std::size_t)>& ask) {
+  for (std::size_t first = 0; first < count; first += kTogether) {
+    cells.make_room();
+    for_each_in_parallel(std::min(kTogether, count - first), jobs,
+                         [&](std::size_t k) { ask(first + k); });
+  }
+}
+
+std::vector<bool> ReachLimit::allows_each(std::span<const ConvexPart> parts, std::size_t jobs,
+                                          const Watch& watch) {
+  std::vector<char> allowed(parts.size());  // bits of one word are not for several threads
+  search_->ask_each(parts.size(), jobs, [&](std::size_t k) {
+    allowed[k] = search_->allows(NearPart(parts[k], frame()), watch);
+  });
+  return {allowed.begin(), allowed.end()};
+}
+
 std::vector<std::optional<FarPlace>> ReachLimit::farthest_of_each(
     std::span<const std::vector<Point>> parts, std::size_t jobs, const Watch& watch) {
   std::vector<std::optional<FarPlace>> found(parts.size());
-  for (std::size_t first = 0; first < parts.size(); first += kTogether) {
-    search_->cells.make_room();
-    for_each_in_parallel(std::min(kTogether, parts.size() - first), jobs, [&](std::size_t k) {
-      found[first + k] = search_->farthest(parts[first + k], watch);
-    });
-  }
+  search_->ask_each(parts.size(), jobs,
+                    [&](std::size_t k) { found[k] = search_->farthest(parts[k], watch); });
   return found;
 }
 

@@ -8,6 +8,7 @@
 #include "convexact/stored.hpp"
 #include "near/near_plane.hpp"
 #include "number/arithmetic.hpp"
+#include "stored/prepared_halfspaces.hpp"
 
 namespace convexact {
 namespace {
@@ -54,16 +55,13 @@ class BlockOrder {
 
 class OutsideSearch {
  public:
-  OutsideSearch(std::span<const Halfspace> halfspaces, const PointSet& points)
+  OutsideSearch(const PreparedHalfspaces& halfspaces, const PointSet& points)
       : halfspaces_(halfspaces),
         points_(points),
         is_double_(find_doubles(points)),
-        ids_(BlockOrder(points, halfspaces.size() >= kManyHalfspaces).take()),
+        ids_(BlockOrder(points, halfspaces.exact().size() >= kManyHalfspaces).take()),
         doubles_(points, ids_),
-        absolute_(absolute_plane_error(std::max(1.0, doubles_.largest))) {
-    filters_.reserve(halfspaces.size());
-    for (const Halfspace& h : halfspaces) filters_.emplace_back(h);
-  }
+        absolute_(absolute_plane_error(std::max(1.0, doubles_.largest))) {}
 
   std::vector<PointId> find(const Watch& watch) {
     for (std::size_t first = 0; first < points_.size(); first += kBlock) {
@@ -149,12 +147,13 @@ class OutsideSearch {
     const Box box = box_of(first, last);
     std::vector<bool> outside(last - first, false);
     std::vector<std::optional<HomogeneousPoint>> integers(last - first);  // of those that need them
-    for (std::size_t i = 0; i < filters_.size(); ++i) {
-      if (surely_inside(filters_[i], box)) continue;
-      if (surely_inside(filters_[i], first, last, largest)) continue;
+    for (std::size_t i = 0; i < halfspaces_.near().size(); ++i) {
+      const DoubleHalfspace& near = halfspaces_.near()[i];
+      if (surely_inside(near, box)) continue;
+      if (surely_inside(near, first, last, largest)) continue;
       for (std::size_t j = first; j < last; ++j) {
-        if (outside[j - first] || surely_inside(filters_[i], j)) continue;
-        outside[j - first] = is_outside(halfspaces_[i], ids_[j], integers[j - first]);
+        if (outside[j - first] || surely_inside(near, j)) continue;
+        outside[j - first] = is_outside(halfspaces_.exact()[i], ids_[j], integers[j - first]);
       }
     }
     for (std::size_t j = first; j < last; ++j) {
@@ -162,21 +161,30 @@ class OutsideSearch {
     }
   }
 
-  std::span<const Halfspace> halfspaces_;
+  const PreparedHalfspaces& halfspaces_;
   const PointSet& points_;
   std::vector<bool> is_double_;  // by id
   std::vector<PointId> ids_;     // in blocks
   CoordinateArrays doubles_;     // in the order of the ids
   double absolute_;
-  std::vector<DoubleHalfspace> filters_;
   std::vector<PointId> found_;
 };
 
 }  // namespace
 
-std::vector<PointId> find_outside(std::span<const Halfspace> halfspaces, const PointSet& points,
+PreparedHalfspaces::PreparedHalfspaces(std::span<const Halfspace> halfspaces) : exact_(halfspaces) {
+  near_.reserve(halfspaces.size());
+  for (const Halfspace& h : halfspaces) near_.emplace_back(h);
+}
+
+std::vector<PointId> find_outside(const PreparedHalfspaces& halfspaces, const PointSet& points,
                                   const Watch& watch) {
   return OutsideSearch(halfspaces, points).find(watch);
+}
+
+std::vector<PointId> find_outside(std::span<const Halfspace> halfspaces, const PointSet& points,
+                                  const Watch& watch) {
+  return find_outside(PreparedHalfspaces(halfspaces), points, watch);
 }
 
 std::size_t count_outside(std::span<const Halfspace> halfspaces, const PointSet& points) {

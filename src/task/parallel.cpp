@@ -44,6 +44,18 @@ void for_each_in_parallel(std::size_t count, std::size_t jobs,
   }
 }
 
+void for_each_in_parallel(std::size_t count, std::size_t jobs, const Watch& watch,
+                          const std::function<void(std::size_t, const Watch&)>& work) {
+  const Watch quiet = watch.without_reports();
+  for_each_in_parallel(
+      count, jobs,
+      [&](std::size_t i) {
+        quiet.ask();
+        work(i, quiet);
+      },
+      [&](std::size_t done) { watch.report(done, count); });
+}
+
 std::size_t all_cores() { return std::max(1u, std::thread::hardware_concurrency()); }
 
 }  // namespace convexact

@@ -5,6 +5,8 @@
 #include <functional>
 #include <mutex>
 
+#include "convexact/error.hpp"
+
 namespace convexact {
 
 /// Calls work(i) for each i below count, on up to `jobs` threads, one of them the caller's. What
@@ -17,6 +19,11 @@ namespace convexact {
 void for_each_in_parallel(std::size_t count, std::size_t jobs,
                           const std::function<void(std::size_t)>& work,
                           const std::function<void(std::size_t)>& finished = {});
+
+/// The same with a watch, which is asked before each, and told of each. work() gets it without
+/// reports.
+void for_each_in_parallel(std::size_t count, std::size_t jobs, const Watch& watch,
+                          const std::function<void(std::size_t, const Watch&)>& work);
 
 /// As many threads as this machine runs at the same time, at least 1.
 [[nodiscard]] std::size_t all_cores();

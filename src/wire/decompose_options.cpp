@@ -105,7 +105,7 @@ Fields<DecomposeRequest> make_fields() {
                       "doubles that choose, the parts still proven"),
       count_field<R>(
           "jobs", &R::jobs, {1, 256},
-          "threads for cutting and for merging by reach, by default as many as there are "
+          "threads for cutting, merging by reach and proofs, by default as many as there are "
           "cores; the parts do not depend on it"),
       choice_field<R>("precision", &R::precision, kBitsNames,
                       "the numbers of the parts: binary64, or rounded outward to binary32")};

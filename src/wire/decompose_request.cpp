@@ -55,7 +55,8 @@ std::string answer_of(Decomposition made, const DecomposeRequest& request,
   }
   const std::span objects(&object, 1);
   const auto document = decomposition_json(objects, DecompositionDetail::All);
-  std::string line = on_one_line(proven_parts_json(document, written_parts(objects), "the answer"));
+  std::string line =
+      on_one_line(proven_parts_json(document, written_parts(objects), "the answer", request.jobs));
   const auto add = [&line](const char* key, const std::string& value) {
     line.back() = ',';
     line += std::string("\"") + key + "\":" + value + "}";

@@ -2,6 +2,7 @@
 // written_parts.hpp - the files of a decomposition: read back from their bytes, each part holds
 // every triangle that it owns.
 #pragma once
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -31,15 +32,18 @@ void require_held(const std::string& path, const WrittenPart& written,
 /// An OBJ or, of parts in binary32, a GLB with an object for each part. A segment or a point is a
 /// triangle with equal corners.
 /// @param path   For messages.
+/// @param jobs   As DecomposeRequest::jobs.
 /// @throws Error Internal if the bytes lose a part, or a corner of a triangle that it owns.
 [[nodiscard]] std::string proven_parts_mesh(std::span<const WrittenPart> parts, MeshFormat format,
-                                            const std::string& path);
+                                            const std::string& path,
+                                            std::optional<std::size_t> jobs = {});
 
 /// A document with these parts under "parts", each with "vertices" and "halfspaces".
 /// @throws Error as proven_parts_mesh(); both the hull of the vertices and the halfspaces must hold
 ///               what a part owns.
 [[nodiscard]] std::string proven_parts_json(const Json& document,
                                             std::span<const WrittenPart> parts,
-                                            const std::string& path);
+                                            const std::string& path,
+                                            std::optional<std::size_t> jobs = {});
 
 }  // namespace convexact

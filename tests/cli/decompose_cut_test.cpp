@@ -122,6 +122,32 @@ TEST_CASE("decompose cut: any number of threads makes the same bytes" * sweep) {
   }
 }
 
+TEST_CASE("decompose: options of parts, with any number of threads" * sweep) {
+  const ScratchFolder scratch;
+  const std::string list = scratch.file("parts.json"), mesh = scratch.file("parts.obj");
+  for (const char* options :
+       {"cases/cup.obj --method cut --distance 5% --disjoint",
+        "cases/house.obj --method cut --effort high",
+        "spot.obj --method cut --distance 10% --faces 20 --max-excess 30%",
+        "spot.obj --method hacd --guard reach --merge reach --distance 5% --faces 20",
+        "teapot.obj --method hacd --guard reach --merge reach --distance 5% --precision 32"}) {
+    CAPTURE(options);
+    const auto made_by = [&](int jobs) {
+      json answer = program_json("decompose " + support::data("") + options + " --jobs " +
+                                     std::to_string(jobs) + " -o " + mesh + " -o " + list,
+                                 "decompose");
+      for (json& stage : answer["stages"]) stage.erase("seconds");
+      return std::vector{answer.dump(), bytes_of(mesh), bytes_of(list)};
+    };
+    const std::vector<std::string> alone = made_by(1);
+    for (const int jobs : {2, 5}) {
+      CAPTURE(jobs);
+      const bool is_same = made_by(jobs) == alone;  // a CHECK of megabytes would print them
+      CHECK(is_same);
+    }
+  }
+}
+
 TEST_CASE("decompose cut: disjoint parts") {
   const ScratchFolder scratch;
   const std::string input = scratch.write("u.obj", cells_obj(kU)),
@@ -162,7 +188,7 @@ TEST_CASE("decompose cut: a number of parts, and parts that fit a program") {
   }
   CHECK(fits["reach"]["holds"] == true);
   // Without the profile parts of this one have more than 500 corners.
-  const std::string spot = data("spot.obj"), small = scratch.file("small.obj");
+  const std::string spot = support::data("spot.obj"), small = scratch.file("small.obj");
   const json less = program_json(
       "decompose " + spot + " --profile physx-gpu --distance 10% -o " + small, "decompose");
   CHECK(less["reach"]["holds"] == true);

@@ -551,6 +551,23 @@ TEST_CASE("reach: parts asked about at the same time are answered as one after a
     CAPTURE(jobs);
     CHECK(answers(jobs) == alone);
   }
+
+  // The same parts, asked whether they are within the limit: one by one, and several together.
+  std::vector<ConvexPart> exact;
+  for (const std::vector<Point>& part : parts) {
+    std::vector<RationalPoint> corners;
+    for (const Point& y : part) corners.push_back(frame.frame().point(y));
+    exact.push_back(convex_part(PointSet(std::move(corners))));
+  }
+  std::vector<bool> one_by_one;
+  for (const ConvexPart& part : exact) {
+    one_by_one.push_back(world.limit(squared_of(0.3), {}).allows(part));
+  }
+  for (const std::size_t jobs : {1u, 2u, 3u, 8u}) {
+    CAPTURE(jobs);
+    ReachLimit limit = world.limit(squared_of(0.3), {});
+    CHECK(limit.allows_each(exact, jobs) == one_by_one);
+  }
 }
 
 TEST_CASE("reach: what it refuses") {

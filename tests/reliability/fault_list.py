@@ -348,7 +348,7 @@ FAULTS = [
     (SKIP, 'cut/outer_points', 'if (!is_inside) corners.push_back(points_.exact(id));', 'if (is_inside) corners.push_back(points_.exact(id));', 'cut'),
     (CONSTANT, 'cut/outer_points', 'constexpr double kInside = 0x1p-40;', 'constexpr double kInside = -0x1p-10;', 'cut'),
     (SKIP, 'parts/stored_corners', 'for (const PointId p : outside_of_hull(corners, outside, stored, watch)) {', 'for (const PointId p : std::vector<PointId>()) {', 'decompose_scene'),
-    (SKIP, 'parts/prove_leaves', 'require_held(part, partition.leaves[leaf].corners, watch);', '', 'decompose_scene'),
+    (SKIP, 'parts/require_all_held', 'require_held(std::get<Partition>(made.origin).leaves[leaf].corners);', '', 'decompose_scene'),
     (SKIP, 'parts/fit', 'if (!excess.holds) return {false, volume_share};', '', 'decompose_scene'),
     (TIE, 'parts/excess_of', '<= (1 + share_) * exact_solid(watch)', '< (1 + share_) * exact_solid(watch)', 'decompose_scene'),
     (SKIP, 'check/check_cell', 'if (at > width) return;', 'if (at > -width) return;', 'check'),

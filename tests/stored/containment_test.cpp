@@ -12,6 +12,7 @@
 #include "near/near_plane.hpp"
 #include "property.hpp"
 #include "shapes/makers.hpp"
+#include "stored/prepared_halfspaces.hpp"
 #include "stored_cases.hpp"
 #include "sweep.hpp"
 
@@ -150,6 +151,7 @@ TEST_CASE("find_outside: many points and many halfspaces, point by point (#13)" 
       if (!n.isZero(0)) halfspaces.emplace_back(to_rational(n), Rational(-n.squaredNorm()));
     }
     REQUIRE(halfspaces.size() >= 256);
+    const PreparedHalfspaces prepared(halfspaces);  // for all sets of points
     std::vector<RationalPoint> thirds;
     for (const Point& p : near_sphere(1.001, 4))
       thirds.push_back(to_rational(p) / Rational(3) * Rational(2));
@@ -165,6 +167,7 @@ TEST_CASE("find_outside: many points and many halfspaces, point by point (#13)" 
         if (is_outside) expected.push_back(id);
       }
       CHECK(find_outside(halfspaces, points) == expected);
+      CHECK(find_outside(prepared, points) == expected);
     }
   }
   const std::atomic<bool> stop = true;

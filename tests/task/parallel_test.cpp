@@ -82,3 +82,31 @@ TEST_CASE("for_each_in_parallel: what a callback throws gets to the caller, on a
     CHECK_THROWS_AS(for_each_in_parallel(1000, jobs, delay, cancel), std::runtime_error);
   }
 }
+
+TEST_CASE("for_each_in_parallel: a watch is told of each, and ends the loop") {
+  for (const std::size_t jobs : {1u, 3u}) {
+    CAPTURE(jobs);
+    std::vector<std::size_t> told;
+    std::vector<int> calls(50, 0);
+    const Watch watch(nullptr, [&](std::size_t done, std::size_t all) {
+      CHECK(all == 50);
+      told.push_back(done);
+    });
+    for_each_in_parallel(50, jobs, watch, [&](std::size_t i, const Watch& quiet) {
+      ++calls[i];
+      quiet.report(1, 2);  // goes nowhere
+    });
+    CHECK(calls == std::vector<int>(50, 1));
+    std::vector<std::size_t> ascending(50);
+    std::iota(ascending.begin(), ascending.end(), 1);
+    CHECK(told == ascending);
+
+    std::atomic<bool> stop = false;
+    std::atomic<std::size_t> begun = 0;
+    const auto stop_at_tenth = [&](std::size_t, const Watch&) {
+      if (++begun == 10) stop = true;
+    };
+    CHECK_THROWS_AS(for_each_in_parallel(50, jobs, Watch(&stop), stop_at_tenth), Error);
+    CHECK(begun < 10 + jobs);
+  }
+}
