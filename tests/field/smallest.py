@@ -1,16 +1,22 @@
 # SPDX-License-Identifier: MIT
-"""The smallest input that `convexact shrink` finds for each kind of fault of each hull program of ./dev field, from the report of
-an earlier run: build/field/smallest/PROGRAM-KIND.obj, and a table of them."""
+"""The smallest input for each kind of fault of each program of ./dev field, from the reports of an earlier run: of hull programs by
+`convexact shrink`, of decomposers by smaller_mesh.py. build/field/smallest/PROGRAM-KIND.obj, and two tables of them."""
 import argparse
 import json
 import sys
+import tempfile
+from fractions import Fraction
 from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).parent))
-from programs import BUILD, ROOT, all_programs  # noqa: E402
+from decompositions import ask_union  # noqa: E402
+from mutate import obj_text  # noqa: E402
+from programs import BUILD, ROOT, all_programs, decomposers, run_program  # noqa: E402
+from reading import read  # noqa: E402
 from run import all_cases  # noqa: E402
+from smaller_mesh import is_surface, smaller_mesh, touches_itself  # noqa: E402
 from subjects import hull_finding, smallest  # noqa: E402
-from tables import write_page  # noqa: E402
+from tables import middle, relative_distance, root, uncovered_share, write_page  # noqa: E402
 
 # By rank of a finding. The others are what a program does within its promise, or may, as its faces are no exact planes.
 KINDS = {0: "signal", 1: "nothing", 2: "no-volume", 3: "outside"}
@@ -73,6 +79,91 @@ def row(program, kinds, folder, options):
     return f"| `{program.name}` | " + " | ".join(cells) + " |"
 
 
+# ---- Decomposers
+
+PARTS_COLUMNS = ("ends the process", "no answer, or nothing", "points outside by more than 1e-6 D", "over 1% of the surface outside")
+LEAST_DISTANCE, LEAST_SHARE = 1e-6, 0.01  # beyond what roundings do, also those of binary32
+PART_SECONDS = 60  # for a decomposer on an input that is reduced
+
+
+def kinds_of(outcome, distance, share):
+    """Which of the columns a run belongs to."""
+    if outcome != "output":
+        return {0} if outcome.startswith("signal") else {1} if outcome in ("no file", "time") else set()
+    return {k for k, is_there in ((2, distance > LEAST_DISTANCE), (3, share > LEAST_SHARE)) if is_there}
+
+
+def asked_of(convexact, program, source, target):
+    """The kinds of faults of a run, with how far points are outside and how much of the surface is, if it wrote parts."""
+    outcome = run_program(program, source, target, 0, PART_SECONDS)
+    if outcome != "output":
+        return kinds_of(outcome, 0, 0), 0, 0
+    _, answer, _ = ask_union(convexact, source, target, program.numbers, PART_SECONDS, ["--claims", "covers-points,covers-surface"])
+    if not answer or "claims" not in answer:
+        return set(), 0, 0
+    said = {claim["code"]: claim for claim in answer["claims"]}
+    distance, share = said["covers-points"].get("witness", {}).get("distance"), answer.get("measures", {}).get("uncovered_area_share")
+    sides = [Fraction(max(axis)) - Fraction(min(axis)) for axis in zip(*read(source).points)]
+    far = root(Fraction(distance["squared"]) / sum(side * side for side in sides)) if distance else 0
+    lost = middle(share) if share else 0
+    return kinds_of(outcome, far, lost), far, lost
+
+
+def inputs_of(program, records):
+    """By kind: the meshes with such a fault, that of the fewest triangles first."""
+    found = {k: [] for k in range(len(PARTS_COLUMNS))}
+    for record in sorted((r for r in records if r["program"] == program.name), key=lambda r: (r["triangles"], r["case"])):
+        judge = record.get("judge")
+        distance, share = (relative_distance(judge), uncovered_share(record) or 0) if judge else (0, 0)
+        for kind in kinds_of(record["outcome"], distance, share):
+            found[kind].append(BUILD / "parts" / record["case"] / "input.obj")
+    return found
+
+
+def reduced_mesh(program, kind, sources, options):
+    """The mesh, how far points are outside and how much of the surface; None if no input has the fault again, or is a surface."""
+    with tempfile.TemporaryDirectory() as folder:
+        source, target = Path(folder) / "input.obj", Path(folder) / "output.obj"
+
+        def ask(mesh):
+            source.write_bytes(obj_text(mesh))
+            return asked_of(options.convexact, program, source, target)
+        for path in sources[:MOST_TRIED]:
+            mesh = read(path)
+            if is_surface(mesh) and not touches_itself(mesh) and kind in ask(mesh)[0]:
+                least = smaller_mesh(mesh, lambda smaller: kind in ask(smaller)[0], options.seconds)
+                return least, *ask(least)[1:]
+    return None
+
+
+def parts_cell(program, kind, sources, folder, options):
+    if not sources:
+        return ""
+    found = reduced_mesh(program, kind, sources, options)
+    if found is None:
+        return f"{len(sources)}; not reduced: none of the {min(MOST_TRIED, len(sources))} smallest is a surface with the fault again"
+    mesh, distance, share = found
+    (folder / f"{program.name}-{('signal', 'nothing', 'outside', 'surface')[kind]}.obj").write_bytes(obj_text(mesh))
+    size = {2: f", by {distance:.1g} D", 3: f", {100 * share:.0f}%"}.get(kind, "")
+    listed = ": " + "; ".join(" ".join(f"{x:g}" if float(f"{x:g}") == x else repr(x) for x in point) for point in mesh.points)
+    return f"{len(sources)}; {counted(len(mesh.points))}, {len(mesh.faces)} triangles{size}{listed if len(mesh.points) <= MOST_SHOWN else ''}"
+
+
+def parts_rows(options, folder):
+    records = [record for name in ("decompositions.json", "decompositions-real.json") if (BUILD / name).exists()
+               for record in json.loads((BUILD / name).read_text())["records"]]
+    rows = ["| program | " + " | ".join(PARTS_COLUMNS) + " |", "| --- |" + " --- |" * len(PARTS_COLUMNS)]
+    for program in decomposers(options.convexact):
+        if program.is_ours() or program.missing or (options.only and program.name not in options.only):
+            continue
+        sources = inputs_of(program, records)
+        if any(sources.values()):
+            cells = [parts_cell(program, kind, own, folder, options) for kind, own in sources.items()]
+            rows.append(f"| `{program.name}` | " + " | ".join(cells) + " |")
+            print(rows[-1], flush=True)
+    return rows
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("seconds", type=float, help="for each kind of fault of a program, and input that is tried")
@@ -96,6 +187,8 @@ def main():
             rows.append(row(program, kinds, folder, options))
             print(rows[-1], flush=True)
     write_page("smallest", "\n".join(rows), options.page, [program.name for program in programs])
+    rows = parts_rows(options, folder)
+    write_page("smallest-parts", "\n".join(rows), options.page, [program.name for program in decomposers(options.convexact)])
 
 
 if __name__ == "__main__":
