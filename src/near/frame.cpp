@@ -16,6 +16,29 @@ Point NearFrame::operator()(const RationalPoint& x) const {
   return y;
 }
 
+// The difference of two doubles is rounded once, as the exact one is, and a power of two changes no
+// digit of it unless it leaves the normal range.
+std::vector<Point> NearFrame::operator()(const PointSet& points) const {
+  constexpr double kNormal = 0x1p-1000;
+  Point middle;
+  for (int k = 0; k < 3; ++k) middle[k] = to_double(center[k], Rounding::Nearest);
+  const bool are_doubles =
+      points.is_binary() && middle.allFinite() && to_rational(middle) == center;
+  std::vector<Point> framed;
+  framed.reserve(points.size());
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    bool is_exact = are_doubles;
+    Point y;
+    for (int k = 0; k < 3 && is_exact; ++k) {
+      const double difference = points.doubles()[i][k] - middle[k];
+      y[k] = std::ldexp(difference, static_cast<int>(-exponent));
+      is_exact = difference == 0 || (std::isfinite(y[k]) && std::abs(y[k]) >= kNormal);
+    }
+    framed.push_back(is_exact ? y : (*this)(points[PointId(i)]));
+  }
+  return framed;
+}
+
 RationalPoint NearFrame::point(const Point& y) const {
   RationalPoint x;
   for (int k = 0; k < 3; ++k) x[k] = center[k] + length(y[k]);

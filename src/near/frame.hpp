@@ -2,6 +2,7 @@
 // frame.hpp - a frame around shapes, in which doubles are as fine as the shapes need.
 #pragma once
 #include <span>
+#include <vector>
 
 #include "convexact/geometry.hpp"
 
@@ -15,6 +16,8 @@ struct NearFrame {
 
   /// Each coordinate rounded to nearest; infinite if it is too far away.
   Point operator()(const RationalPoint& x) const;
+  /// The same of each point of a set; of doubles without exact numbers.
+  std::vector<Point> operator()(const PointSet& points) const;
   /// Exactly; `y` finite.
   RationalPoint point(const Point& y) const;
   /// A length of the frame in length units, exactly.

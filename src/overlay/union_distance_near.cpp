@@ -87,9 +87,21 @@ NearSimplex nearest_in(const NearSimplex& simplex, const Point& added) {
 // Below it squares may underflow, or are a rounding error.
 constexpr double kLeastSquare = 0x1p-200;
 
-}  // namespace
+// The point of a range where q.(x - y) is least, if that is below `least`, which it becomes.
+void take_least(std::span<const Point> points, std::size_t first, std::size_t last, const Point& q,
+                const Point& y, std::pair<std::size_t, double>& found) {
+  for (std::size_t i = first; i < last; ++i) {
+    const double value = q.dot(points[i] - y);
+    if (value < found.second) found = {i, value};
+  }
+}
 
-NearHull near_hull(std::span<const Point> points, const Point& y, double enough) {
+constexpr std::pair<std::size_t, double> kNone{0, std::numeric_limits<double>::infinity()};
+
+// @param least_along  Takes q, and returns the point where q.(x - y) is least, and that value.
+template <class LeastAlong>
+NearHull hull_seen_from(std::span<const Point> points, const Point& y, double enough,
+                        const LeastAlong& least_along) {
   NearSimplex simplex = nearest_at(points.front() - y);
   double low = 0;
   Point towards = Point::Zero();
@@ -97,15 +109,7 @@ NearHull near_hull(std::span<const Point> points, const Point& y, double enough)
     if (!(simplex.squared > kLeastSquare) || simplex.size == 4) break;
     if (low > enough || simplex.squared <= enough * enough) break;
     const Point& q = simplex.nearest;
-    double least = std::numeric_limits<double>::infinity();
-    std::size_t beyond = 0;
-    for (std::size_t i = 0; i < points.size(); ++i) {
-      const double value = q.dot(points[i] - y);
-      if (value < least) {
-        least = value;
-        beyond = i;
-      }
-    }
+    const auto [beyond, least] = least_along(q);
     if (const double bound = least / std::sqrt(simplex.squared); bound > low) {
       low = bound;
       towards = q;
@@ -116,6 +120,63 @@ NearHull near_hull(std::span<const Point> points, const Point& y, double enough)
     simplex = next;
   }
   return {{low, std::sqrt(std::max(simplex.squared, kLeastSquare))}, simplex.nearest, towards};
+}
+
+constexpr std::size_t kBlock = 32;      // points of a box
+constexpr std::size_t kFewPoints = 96;  // of which a look at each is quicker
+
+}  // namespace
+
+HullPoints::HullPoints(std::vector<Point> points) : points_(std::move(points)) {
+  if (points_.size() < kFewPoints) return;
+  boxes_.resize((points_.size() + kBlock - 1) / kBlock);
+  for (std::size_t i = 0; i < points_.size(); ++i) boxes_[i / kBlock].include(points_[i]);
+}
+
+// Rounding is monotone: at the corner of a box where q.x is least the value is at most that of any
+// point in it. So what boxes leave out is not least, not even by rounding.
+std::pair<std::size_t, double> HullPoints::least_along(const Point& q, const Point& y) const {
+  std::pair<std::size_t, double> found = kNone;
+  if (boxes_.empty()) {
+    take_least(points_, 0, points_.size(), q, y, found);
+    return found;
+  }
+  const auto least_of_box = [&](const NearBox& box) {
+    Point corner;
+    for (int k = 0; k < 3; ++k) corner[k] = q[k] > 0 ? box.low[k] : box.high[k];
+    return q.dot(corner - y);
+  };
+  const auto take_box = [&](std::size_t b, std::pair<std::size_t, double>& best) {
+    take_least(points_, b * kBlock, std::min(points_.size(), (b + 1) * kBlock), q, y, best);
+  };
+  std::size_t lowest = 0;
+  double lowest_value = std::numeric_limits<double>::infinity();
+  for (std::size_t b = 0; b < boxes_.size(); ++b) {
+    const double value = least_of_box(boxes_[b]);
+    if (value < lowest_value) {
+      lowest_value = value;
+      lowest = b;
+    }
+  }
+  std::pair<std::size_t, double> there = kNone;
+  take_box(lowest, there);
+  for (std::size_t b = 0; b < boxes_.size(); ++b) {
+    if (!(least_of_box(boxes_[b]) > there.second)) take_box(b, found);
+  }
+  return found;
+}
+
+NearHull near_hull(std::span<const Point> points, const Point& y, double enough) {
+  return hull_seen_from(points, y, enough, [&](const Point& q) {
+    std::pair<std::size_t, double> found = kNone;
+    take_least(points, 0, points.size(), q, y, found);
+    return found;
+  });
+}
+
+NearHull near_hull(const HullPoints& points, const Point& y, double enough) {
+  return hull_seen_from(points.points(), y, enough,
+                        [&](const Point& q) { return points.least_along(q, y); });
 }
 
 NearHull near_triangle(const std::array<Point, 3>& corners, const Point& y) {

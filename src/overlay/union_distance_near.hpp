@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <limits>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "convexact/geometry.hpp"
@@ -34,6 +35,20 @@ struct NearBounds {
 /// underflow.
 inline constexpr double kDistanceError = 0x1p-46;
 
+/// At least one point, whose hull may be seen from many places: neighbours in the list are in
+/// boxes, most of which need no look for the point that is farthest along a direction.
+class HullPoints {
+ public:
+  explicit HullPoints(std::vector<Point> points);
+  std::span<const Point> points() const { return points_; }
+  /// The one where q.(x - y) is least, and that least value; of several the first, as in doubles.
+  std::pair<std::size_t, double> least_along(const Point& q, const Point& y) const;
+
+ private:
+  std::vector<Point> points_;
+  std::vector<NearBox> boxes_;  // of so many points each; none if there are few
+};
+
 /// A distance between a point of a frame and the hull of some of its points, without
 /// kDistanceError.
 struct NearHull {
@@ -48,6 +63,8 @@ struct NearHull {
 /// @par Source  [Gilbert1988]: a simplex of vertices whose nearest point to y is replaced by that
 ///              of the simplex and the vertex beyond, until there is none.
 [[nodiscard]] NearHull near_hull(std::span<const Point> points, const Point& y,
+                                 double enough = std::numeric_limits<double>::quiet_NaN());
+[[nodiscard]] NearHull near_hull(const HullPoints& points, const Point& y,
                                  double enough = std::numeric_limits<double>::quiet_NaN());
 
 /// The same for a triangle, which may be degenerate.

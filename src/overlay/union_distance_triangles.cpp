@@ -7,10 +7,7 @@
 namespace convexact {
 
 NearTriangles::NearTriangles(const Surface& surface, const NearFrame& frame)
-    : order_(surface.triangles.size()) {
-  for (std::size_t i = 0; i < surface.points.size(); ++i) {
-    points_.push_back(frame(surface.points[PointId(i)]));
-  }
+    : points_(frame(surface.points)), order_(surface.triangles.size()) {
   std::vector<Point> middles;
   for (const auto& [a, b, c] : surface.triangles) {
     triangles_.push_back({a.value, b.value, c.value});

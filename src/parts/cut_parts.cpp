@@ -124,10 +124,7 @@ class PartCutter {
     }
     ReachLimit limit(surface_, winding_, squared, boxes);
     std::vector<std::vector<Point>> pieces;
-    for (const PointSet& leaf : leaves) {
-      std::vector<Point>& near = pieces.emplace_back();
-      for (std::size_t k = 0; k < leaf.size(); ++k) near.push_back(limit.frame()(leaf[PointId(k)]));
-    }
+    for (const PointSet& leaf : leaves) pieces.push_back(limit.frame()(leaf));
     ReachMergeOptions options{.rounds = rounds_of(request_.effort),
                               .seed = request_.seed,
                               .exchanges = exchanges_of(request_.effort),

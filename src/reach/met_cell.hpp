@@ -3,6 +3,7 @@
 #pragma once
 #include <algorithm>
 #include <cstdint>
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -20,8 +21,8 @@ class NearPart {
  public:
   /// The hull of some points, without planes.
   explicit NearPart(std::vector<Point> points) : vertices_(std::move(points)) {}
-  NearPart(const ConvexPart& part, const NearFrame& frame) {
-    for (const RationalPoint& v : part.vertices) vertices_.push_back(frame(v));
+  NearPart(const ConvexPart& part, const NearFrame& frame)
+      : vertices_(framed(part.vertices, frame)) {
     for (const Halfspace& h : part.halfspaces) {
       // n.x + d of x = c + 2^e y.
       const Rational at_center = h(frame.center);
@@ -41,14 +42,19 @@ class NearPart {
     for (const auto& [normal, offset, error] : solid.planes) {
       double most = error - offset;
       if (error > kSmall) {
-        most = normal.dot(vertices_.front());
-        for (const Point& v : vertices_) most = std::max(most, normal.dot(v));
+        most = normal.dot(vertices().front());
+        for (const Point& v : vertices()) most = std::max(most, normal.dot(v));
       }
       planes_.push_back({normal, -most});
     }
   }
 
-  std::span<const Point> vertices() const { return vertices_; }
+  std::span<const Point> vertices() const { return vertices_.points(); }
+  /// Its hull, as near_hull() sees it.
+  NearHull seen_from(const Point& y,
+                     double enough = std::numeric_limits<double>::quiet_NaN()) const {
+    return near_hull(vertices_, y, enough);
+  }
   std::size_t planes() const { return planes_.size(); }
 
   /// Whether it is certain that a point is in the part, as planes tell that may run by it.
@@ -66,19 +72,21 @@ class NearPart {
   /// A point inside of the part, unless that is flat or nearly so.
   Point middle() const {
     Point sum = Point::Zero();
-    for (const Point& v : vertices_) sum += v;
-    return sum / static_cast<double>(vertices_.size());
+    for (const Point& v : vertices()) sum += v;
+    return sum / static_cast<double>(vertices().size());
   }
   /// With all points x moved to x + share (to - x), share < 1.
   NearPart towards(const Point& to, double share) const {
-    NearPart moved = *this;
-    for (Point& v : moved.vertices_) v += share * (to - v);
+    std::vector<Point> points(vertices().begin(), vertices().end());
+    for (Point& v : points) v += share * (to - v);
+    NearPart moved(std::move(points));
+    moved.planes_ = planes_;
     for (auto& [normal, offset] : moved.planes_) offset -= share * (normal.dot(to) + offset);
     return moved;
   }
   NearBox box() const {
     NearBox box;
-    for (const Point& v : vertices_) box.include(v);
+    for (const Point& v : vertices()) box.include(v);
     return box;
   }
 
@@ -100,7 +108,13 @@ class NearPart {
     Point normal;
     double offset;
   };
-  std::vector<Point> vertices_;
+  static std::vector<Point> framed(std::span<const RationalPoint> points, const NearFrame& frame) {
+    std::vector<Point> list;
+    for (const RationalPoint& x : points) list.push_back(frame(x));
+    return list;
+  }
+
+  HullPoints vertices_;
   std::vector<Plane> planes_;
 };
 
@@ -139,7 +153,7 @@ struct SeenPart {
 inline SeenPart seen_from(const MetCell& met, const NearPart& part) {
   const CellPlace& place = met.place;
   if (part.holds(met.planes, place.center)) return {true, false, {}, place.center};
-  const NearHull hull = near_hull(part.vertices(), place.center, place.radius() + kReachError);
+  const NearHull hull = part.seen_from(place.center, place.radius() + kReachError);
   return {false, widened(hull.bounds, place.center).low > place.radius(), hull,
           place.center + hull.nearest};
 }

@@ -113,7 +113,7 @@ class CellWalk {
 
   // The point of the part that is nearest to the center of a cell.
   Point nearest_point(const CellPlace& place) const {
-    return place.center + near_hull(near_.vertices(), place.center).nearest;
+    return place.center + near_.seen_from(place.center).nearest;
   }
 
   FarPlace open_{Point::Zero(), 0};

@@ -570,6 +570,71 @@ TEST_CASE("reach: parts asked about at the same time are answered as one after a
   }
 }
 
+TEST_CASE("frame: the points of a set are those that each has alone, of any size and place") {
+  Random random(7);
+  for (const double unit : {1.0, 0x1p-3, 3e-320, 1e-310, 0x1p-1022, 1e300, 0x1p1020}) {
+    for (const double away : {0.0, 1.0, 1e9, 3.7e15}) {
+      std::vector<Point> doubles;
+      for (int k = 0; k < 50; ++k) {
+        Point& x = doubles.emplace_back();
+        for (int axis = 0; axis < 3; ++axis) {
+          const double of_unit = static_cast<double>(uniform_below(random, 1u << 20)) / 0x1p20;
+          x[axis] = unit > 1e299 ? unit * of_unit : (away + of_unit) * unit;
+        }
+      }
+      doubles.push_back(doubles[3]);
+      std::vector<RationalPoint> thirds;
+      for (const Point& x : doubles) thirds.push_back(to_rational(x) / Rational(3));
+      for (const PointSet& points : {PointSet(doubles), PointSet(thirds)}) {
+        const BoundingBox box = bounding_box(points);
+        for (const NearFrame& frame : {frame_around(std::span(&box, 1)),
+                                       NearFrame{RationalPoint(Rational(1, 3), 0, 1), 2}}) {
+          const std::vector<Point> framed = frame(points);
+          REQUIRE(framed.size() == points.size());
+          for (std::size_t i = 0; i < points.size(); ++i) {
+            CHECK(framed[i] == frame(points[PointId(i)]));
+          }
+        }
+      }
+    }
+  }
+}
+
+TEST_CASE("near_hull: boxes of points change no bit of what is found") {
+  Random random(11);
+  const auto coordinate = [&](std::uint32_t steps) {
+    return static_cast<double>(uniform_below(random, steps)) / steps * 2 - 1;
+  };
+  for (const std::size_t count : {1u, 31u, 95u, 96u, 97u, 128u, 500u, 3000u}) {
+    for (const std::uint32_t steps : {2u, 5u, 1u << 30}) {  // with few, most points are many times
+      CAPTURE(count);
+      CAPTURE(steps);
+      std::vector<Point> points;
+      for (std::size_t k = 0; k < count; ++k) {
+        points.emplace_back(coordinate(steps), coordinate(steps), coordinate(steps) / 8);
+      }
+      const HullPoints boxed(points);
+      for (int k = 0; k < 40; ++k) {
+        const Point y = 2 * Point(coordinate(64), coordinate(64), coordinate(64));
+        const Point q(coordinate(3), coordinate(1u << 20), coordinate(64));
+        std::size_t first = 0;
+        for (std::size_t i = 0; i < count; ++i) {
+          if (q.dot(points[i] - y) < q.dot(points[first] - y)) first = i;
+        }
+        const double least = q.dot(points[first] - y);
+        CHECK(boxed.least_along(q, y) == std::pair(first, least));
+        for (const double enough : {std::numeric_limits<double>::quiet_NaN(), 0.5}) {
+          const NearHull plain = near_hull(points, y, enough), quick = near_hull(boxed, y, enough);
+          CHECK(plain.bounds.low == quick.bounds.low);
+          CHECK(plain.bounds.high == quick.bounds.high);
+          CHECK(plain.nearest == quick.nearest);
+          CHECK(plain.towards == quick.towards);
+        }
+      }
+    }
+  }
+}
+
 TEST_CASE("reach: what it refuses") {
   const World world(support::mesh_of_cells({{0, 0, 0}}));
   // By exactly T: cells alone do not prove it, however small.
