@@ -133,11 +133,16 @@ class ReachLimit {
   /// The same for the hull of points of the frame, at least one.
   [[nodiscard]] bool allows_near(std::span<const Point> points, const Watch& watch = {});
 
-  /// Of each of several parts whether allows() it.
+  /// Of each of several parts whether allows() it; up to four are asked about at the same time. The
+  /// watch is told of those done.
   /// @param jobs  Threads, at least 1, on which the answer does not depend.
   /// @throws As above.
   [[nodiscard]] std::vector<bool> allows_each(std::span<const ConvexPart> parts, std::size_t jobs,
                                               const Watch& watch = {});
+
+  /// Whether allows() all of them; ends soon after one that is refused.
+  [[nodiscard]] bool allows_all(std::span<const ConvexPart> parts, std::size_t jobs,
+                                const Watch& watch = {});
 
   /// For the hull of each list of such points: about its farthest point from the solid, up to 3% of
   /// its distance; nothing if cells alone prove that the hull is within T.
@@ -165,7 +170,8 @@ class ReachLimit {
 };
 
 /// The largest number of cells that a walk down to a part opens; parts that need more are
-/// Undecided. Up to half as many are kept for the next part.
+/// Undecided. Up to half as many are kept for the next part; four parts may be asked about at the
+/// same time.
 inline constexpr std::size_t kReachCells = std::size_t{1} << 22;
 
 }  // namespace convexact

@@ -31,7 +31,7 @@ std::vector<Point> NearFrame::operator()(const PointSet& points) const {
     Point y;
     for (int k = 0; k < 3 && is_exact; ++k) {
       const double difference = points.doubles()[i][k] - middle[k];
-      y[k] = std::ldexp(difference, static_cast<int>(-exponent));
+      y[k] = difference == 0 ? 0.0 : std::ldexp(difference, static_cast<int>(-exponent));  // no -0
       is_exact = difference == 0 || (std::isfinite(y[k]) && std::abs(y[k]) >= kNormal);
     }
     framed.push_back(is_exact ? y : (*this)(points[PointId(i)]));

@@ -34,9 +34,14 @@ void require_all_held(const Decomposition& made, std::size_t jobs, const Watch& 
 }
 
 void require_each_loose_point_once(const Decomposition& made) {
-  std::size_t loose = 0;
-  for (const Part& part : made.parts) loose += part.loose.size();
-  if (loose != made.surface.unused.size()) {
+  std::vector<bool> is_held(made.surface.unused.size(), false);
+  for (const Part& part : made.parts) {
+    for (const PointId p : part.loose) {
+      if (is_held[p.index()]) throw Error(ErrorCode::Internal, "a loose point has two parts");
+      is_held[p.index()] = true;
+    }
+  }
+  if (std::find(is_held.begin(), is_held.end(), false) != is_held.end()) {
     throw Error(ErrorCode::Internal, "a loose point has no part");
   }
 }

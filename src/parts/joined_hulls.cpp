@@ -2,8 +2,8 @@
 #include "parts/joined_hulls.hpp"
 
 #include <algorithm>
+#include <iterator>
 
-#include "near/frame.hpp"
 #include "task/parallel.hpp"
 
 namespace convexact {

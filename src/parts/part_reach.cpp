@@ -53,8 +53,8 @@ std::vector<Farther> farther_parts(const Decomposition& made, const std::vector<
   std::vector<Farther> farther;
   const std::vector<bool> allowed = limit.allows_each(stored, jobs, watch);
   for (std::size_t k = 0; k < stored.size(); ++k) {
-    watch.at(k, stored.size());
     if (allowed[k]) continue;
+    watch.ask();
     PartReach reach = limit(stored[k], watch);
     if (reach.reach != Reach::Within) farther.push_back({k, std::move(reach)});
   }

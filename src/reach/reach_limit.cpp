@@ -2,6 +2,7 @@
 // reach_limit.cpp - whether a part lies within T of a solid: down the cells that it meets, those
 // farthest from the surface first.
 #include <algorithm>
+#include <atomic>
 
 #include "convexact/hull.hpp"
 #include "convexact/reach.hpp"
@@ -419,8 +420,9 @@ std::optional<FarPlace> ReachLimit::Search::farthest(std::span<const Point> poin
 }
 
 void ReachLimit::Search::ask_each(std::size_t count, std::size_t jobs,
-                                  const std::function<void(std::size_t)>& ask) {
-  for (std::size_t first = 0; first < count; first += kTogether) {
+                                  const std::function<void(std::size_t)>& ask,
+                                  const std::function<bool(std::size_t)>& goes_on) {
+  for (std::size_t first = 0; first < count && (!goes_on || goes_on(first)); first += kTogether) {
     cells.make_room();
     for_each_in_parallel(std::min(kTogether, count - first), jobs,
                          [&](std::size_t k) { ask(first + k); });
@@ -430,10 +432,26 @@ void ReachLimit::Search::ask_each(std::size_t count, std::size_t jobs,
 std::vector<bool> ReachLimit::allows_each(std::span<const ConvexPart> parts, std::size_t jobs,
                                           const Watch& watch) {
   std::vector<char> allowed(parts.size());  // bits of one word are not for several threads
-  search_->ask_each(parts.size(), jobs, [&](std::size_t k) {
-    allowed[k] = search_->allows(NearPart(parts[k], frame()), watch);
-  });
+  search_->ask_each(
+      parts.size(), jobs,
+      [&](std::size_t k) { allowed[k] = search_->allows(NearPart(parts[k], frame()), watch); },
+      [&](std::size_t done) {
+        watch.report(done, parts.size());
+        return true;
+      });
   return {allowed.begin(), allowed.end()};
+}
+
+bool ReachLimit::allows_all(std::span<const ConvexPart> parts, std::size_t jobs,
+                            const Watch& watch) {
+  std::atomic<bool> are_allowed = true;
+  search_->ask_each(
+      parts.size(), jobs,
+      [&](std::size_t k) {
+        if (!search_->allows(NearPart(parts[k], frame()), watch)) are_allowed = false;
+      },
+      [&](std::size_t) { return are_allowed.load(); });
+  return are_allowed;
 }
 
 std::vector<std::optional<FarPlace>> ReachLimit::farthest_of_each(

@@ -21,7 +21,9 @@ class ReachLimit::Search {
   std::optional<FarPlace> farthest(std::span<const Point> points, const Watch& watch);
 
   /// Calls ask(k) for each k below count, a few at the same time, and makes room between them.
-  void ask_each(std::size_t count, std::size_t jobs, const std::function<void(std::size_t)>& ask);
+  /// @param goes_on  Called with the number of those done before the next few; false ends it.
+  void ask_each(std::size_t count, std::size_t jobs, const std::function<void(std::size_t)>& ask,
+                const std::function<bool(std::size_t)>& goes_on = {});
 
   Rational squared_limit;
   ReachCells cells;

@@ -19,7 +19,10 @@ void for_each_in_parallel(std::size_t count, std::size_t jobs,
   std::mutex mutex;  // of `finished` and `done`
   std::size_t done = 0;
   const auto run = [&] {
-    for (std::size_t i = next++; i < count && !has_failed; i = next++) {
+    // What was taken is done, so that of several that fail the lowest is found on any schedule.
+    while (!has_failed) {
+      const std::size_t i = next++;
+      if (i >= count) break;
       try {
         work(i);
         if (!finished) continue;

@@ -99,10 +99,26 @@ def touches_itself(mesh):
 def touch(points, face, other):
     shared = set(face) & set(other)
     whole, other_whole = [points[k] for k in face], [points[k] for k in other]
+    if len(shared) == 2 and is_folded(points, face, other, shared):
+        return True
     if not shared:
         return not are_apart(whole, other_whole)
     rest, other_rest = [points[k] for k in face if k not in shared], [points[k] for k in other if k not in shared]
     return not rest or not are_apart(rest, other_whole) or not are_apart(whole, other_rest)
+
+
+def is_folded(points, face, other, shared):
+    """Whether two triangles with an edge in common lie in one plane, on the same side of it."""
+    p, q = (points[k] for k in shared)
+    apexes = [next(points[k] for k in own if k not in shared) for own in (face, other)]
+    one, two = (cross(difference(q, p), difference(apex, p)) for apex in apexes)
+    return not any(cross(one, two)) and dot(one, two) > 0
+
+
+def six_volumes(mesh):
+    """Of what the surface bounds, six times; above 0 if its triangles are seen counter-clockwise from outside. Exactly."""
+    points = [[Fraction(x) for x in point] for point in mesh.points]
+    return sum(dot(points[a], cross(points[b], points[c])) for a, b, c in mesh.faces)
 
 
 def longest_side(points):
@@ -113,7 +129,7 @@ def on_grid(mesh, cells):
     """The first point of each cell stands for all of them."""
     low, size = [min(axis) for axis in zip(*mesh.points)], longest_side(mesh.points) / cells
     first = {}
-    return joined(mesh, [first.setdefault(tuple(int((x - a) / size) for x, a in zip(point, low)), k)
+    return joined(mesh, [first.setdefault(tuple(min(int((x - a) / size), cells - 1) for x, a in zip(point, low)), k)
                          for k, point in enumerate(mesh.points)])
 
 
@@ -132,13 +148,15 @@ class Reducer:
     def __init__(self, mesh, fails, seconds):
         self.mesh, self.fails, self.end = mesh, fails, time.monotonic() + (1 - FOR_DIGITS) * seconds
         self.seconds = seconds
-        self.was_surface = is_surface(mesh)
+        self.was_solid = is_surface(mesh) and six_volumes(mesh) > 0
 
     def takes(self, mesh):
         """Whether a mesh has the fault, and is of the same kind; then it takes the place of the one before."""
         if time.monotonic() > self.end or not mesh.faces or longest_side(mesh.points) == 0:
             return False
-        if (self.was_surface and not is_surface(mesh)) or touches_itself(mesh) or not self.fails(mesh):
+        if self.was_solid and not (is_surface(mesh) and six_volumes(mesh) > 0):
+            return False
+        if touches_itself(mesh) or not self.fails(mesh):
             return False
         self.mesh = mesh
         return True

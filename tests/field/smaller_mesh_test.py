@@ -7,7 +7,7 @@ from pathlib import Path
 sys.path.insert(0, str(Path(__file__).parent))
 from decompositions import polycube, torus  # noqa: E402
 from reading import Mesh  # noqa: E402
-from smaller_mesh import is_surface, joined, smaller_mesh, touches_itself  # noqa: E402
+from smaller_mesh import is_surface, joined, six_volumes, smaller_mesh, touches_itself  # noqa: E402
 
 TETRAHEDRON = [(0, 0, 0), (1, 0, 0), (0, 1, 0), (0, 0, 1)]
 FACES = [[0, 2, 1], [0, 1, 3], [0, 3, 2], [1, 2, 3]]
@@ -33,6 +33,9 @@ class Surfaces(unittest.TestCase):
         points = [(0, 0, 0), (1, 0, 0), (0, 1, 0), (0.2, 0.2, 0), (0, 0, 1)]
         self.assertTrue(touches_itself(Mesh(points, [[0, 1, 2], [1, 0, 3]])))  # over it
         self.assertFalse(touches_itself(Mesh(points, [[0, 1, 2], [1, 0, 4]])))
+        # Neither apex in the other triangle; then a square of two layers.
+        self.assertTrue(touches_itself(Mesh([(0, 0, 0), (1, 0, 0), (-0.5, 1, 0), (1.5, 1, 0)], [[0, 1, 2], [1, 0, 3]])))
+        self.assertTrue(touches_itself(Mesh([(0, 0, 0), (1, 0, 0), (1, 1, 0), (0, 1, 0)], FACES)))
 
     def test_triangles_back_to_back_go(self):
         octahedron = Mesh([(1, 0, 0), (-1, 0, 0), (0, 1, 0), (0, -1, 0), (0, 0, 1), (0, 0, -1)],
@@ -48,6 +51,14 @@ class Reduced(unittest.TestCase):
         least = smaller_mesh(torus(12, 8), lambda mesh: True, 10)
         self.assertEqual((len(least.points), len(least.faces)), (4, 4))
         self.assertTrue(all(x == int(x) for point in least.points for x in point))
+        self.assertGreater(six_volumes(least), 0)
+
+    def test_nothing_is_turned_inside_out(self):
+        points = [(0, 0, 0), (1, 0, 0), (0, 1, 0), (0.3, 0.3, 1), (0.3, 0.3, 0.5)]
+        dented = Mesh(points, [[0, 1, 3], [1, 2, 3], [2, 0, 3], [1, 0, 4], [2, 1, 4], [0, 2, 4]])
+        self.assertEqual(six_volumes(dented) * 2, 1)
+        self.assertLess(six_volumes(joined(dented, [0, 1, 2, 0, 4])), 0)
+        self.assertGreater(six_volumes(smaller_mesh(dented, lambda mesh: True, 5)), 0)
 
     def test_a_hole_stays(self):
         def has_hole(mesh):

@@ -81,15 +81,15 @@ def row(program, kinds, folder, options):
 
 # ---- Decomposers
 
-PARTS_COLUMNS = ("ends the process", "no answer, or nothing", "points outside by more than 1e-6 D", "over 1% of the surface outside")
+PARTS_COLUMNS = ("ends the process", "nothing, and no error", "points outside by more than 1e-6 D", "over 1% of the surface outside")
 LEAST_DISTANCE, LEAST_SHARE = 1e-6, 0.01  # beyond what roundings do, also those of binary32
-PART_SECONDS = 60  # for a decomposer on an input that is reduced
+PART_SECONDS = 60  # for a decomposer on an input that is reduced; one that needs longer is no fault, as machines differ
 
 
 def kinds_of(outcome, distance, share):
     """Which of the columns a run belongs to."""
     if outcome != "output":
-        return {0} if outcome.startswith("signal") else {1} if outcome in ("no file", "time") else set()
+        return {0} if outcome.startswith("signal") else {1} if outcome == "no file" else set()
     return {k for k, is_there in ((2, distance > LEAST_DISTANCE), (3, share > LEAST_SHARE)) if is_there}
 
 
@@ -116,7 +116,9 @@ def inputs_of(program, records):
         judge = record.get("judge")
         distance, share = (relative_distance(judge), uncovered_share(record) or 0) if judge else (0, 0)
         for kind in kinds_of(record["outcome"], distance, share):
-            found[kind].append(BUILD / "parts" / record["case"] / "input.obj")
+            source = BUILD / "parts" / record["case"] / "input.obj"
+            if source.exists():
+                found[kind].append(source)
     return found
 
 
@@ -124,15 +126,18 @@ def reduced_mesh(program, kind, sources, options):
     """The mesh, how far points are outside and how much of the surface; None if no input has the fault again, or is a surface."""
     with tempfile.TemporaryDirectory() as folder:
         source, target = Path(folder) / "input.obj", Path(folder) / "output.obj"
+        seen = []
 
-        def ask(mesh):
+        def fails(mesh):
             source.write_bytes(obj_text(mesh))
-            return asked_of(options.convexact, program, source, target)
+            kinds, *sizes = asked_of(options.convexact, program, source, target)
+            if kind in kinds:
+                seen[:] = sizes  # of the last one that is kept
+            return kind in kinds
         for path in sources[:MOST_TRIED]:
             mesh = read(path)
-            if is_surface(mesh) and not touches_itself(mesh) and kind in ask(mesh)[0]:
-                least = smaller_mesh(mesh, lambda smaller: kind in ask(smaller)[0], options.seconds)
-                return least, *ask(least)[1:]
+            if is_surface(mesh) and not touches_itself(mesh) and fails(mesh):
+                return smaller_mesh(mesh, fails, options.seconds), *seen
     return None
 
 

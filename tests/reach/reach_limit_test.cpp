@@ -563,10 +563,18 @@ TEST_CASE("reach: parts asked about at the same time are answered as one after a
   for (const ConvexPart& part : exact) {
     one_by_one.push_back(world.limit(squared_of(0.3), {}).allows(part));
   }
+  std::vector<ConvexPart> near;
+  for (std::size_t p = 0; p < exact.size(); ++p) {
+    if (one_by_one[p]) near.push_back(exact[p]);
+  }
+  CHECK(near.size() > 2);
   for (const std::size_t jobs : {1u, 2u, 3u, 8u}) {
     CAPTURE(jobs);
     ReachLimit limit = world.limit(squared_of(0.3), {});
     CHECK(limit.allows_each(exact, jobs) == one_by_one);
+    CHECK_FALSE(limit.allows_all(exact, jobs));
+    CHECK(limit.allows_all(near, jobs));
+    CHECK(limit.allows_all({}, jobs));
   }
 }
 

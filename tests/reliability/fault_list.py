@@ -349,6 +349,8 @@ FAULTS = [
     (CONSTANT, 'cut/outer_points', 'constexpr double kInside = 0x1p-40;', 'constexpr double kInside = -0x1p-10;', 'cut'),
     (SKIP, 'parts/stored_corners', 'for (const PointId p : outside_of_hull(corners, outside, stored, watch)) {', 'for (const PointId p : std::vector<PointId>()) {', 'decompose_scene'),
     (SKIP, 'parts/require_all_held', 'require_held(std::get<Partition>(made.origin).leaves[leaf].corners);', '', 'decompose_scene'),
+    (SKIP, 'parts/require_all_held', 'require_held(subset(made.surface.points, points_of(made.surface, part.owns)));', '', 'decompose_scene'),
+    (SKIP, 'parts/require_all_held', 'require_held(subset(made.surface.unused, part.loose));', '', 'decompose_scene'),
     (SKIP, 'parts/fit', 'if (!excess.holds) return {false, volume_share};', '', 'decompose_scene'),
     (TIE, 'parts/excess_of', '<= (1 + share_) * exact_solid(watch)', '< (1 + share_) * exact_solid(watch)', 'decompose_scene'),
     (SKIP, 'check/check_cell', 'if (at > width) return;', 'if (at > -width) return;', 'check'),

@@ -10,8 +10,9 @@ Usage: cut.py --convexact PROGRAM [--meshes DIR] [--distances 3%,1%] [--effort l
 Each row is one run of `convexact decompose`: parts, excess as a share of the solid's volume, the measured distance of
 the parts from the solid as a share of the diameter, seconds. Every result is judged by `convexact verify --union
 --distance`, and its proof by convexact-check where that is beside the program. "given" is the number of parts that
-the specification of the method names, with doubles. Shapes of unit cells have closed forms: so many parts, and no excess.
-Exit code 1 if something is not held, not within the distance or not proven, or if a closed form is missed.
+the specification of the method names, with doubles. Shapes of unit cells have closed forms: so many boxes that do not overlap
+and no excess. Parts may overlap, so fewer of them may do (a plus is two bars).
+Exit code 1 if something is not held, not within the distance or not proven, or if there are more parts, or an excess.
 """
 import argparse
 import json
@@ -147,7 +148,7 @@ def main():
                     print(f'| {name:12} | {distance} | skipped: it is not there; --meshes names its folder |')
                     continue
                 row = row_of(options, mesh, distance, pathlib.Path(scratch), name in CELLS)
-                missed = name in CELLS and (row['parts'] != given or not row['no_excess'])
+                missed = name in CELLS and (row['parts'] > given or not row['no_excess'])
                 failed = failed or missed or bool(row['wrong']) or row['checked'] == 'NOT PROVEN'
                 print(f'| {name:12} | {distance} | {row["parts"]} | {given or ""} | {row["leaves"]} | {100 * row["excess"]:.2f}% | '
                       f'{row["seconds"]:.2f} | {", ".join(row["wrong"]) or "holds"}{" MISSED" if missed else ""} | {row["checked"]} |',

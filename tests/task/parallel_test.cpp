@@ -73,6 +73,20 @@ TEST_CASE("for_each_in_parallel: the failure of the lowest number is thrown, and
   }
 }
 
+TEST_CASE("for_each_in_parallel: of several failures it is the lowest, on any schedule") {
+  for (const std::size_t jobs : {1u, 2u, 8u}) {
+    for (std::size_t slow = 5; slow < 9; ++slow) {
+      CAPTURE(jobs);
+      CAPTURE(slow);
+      const auto fail_from_fifth = [&](std::size_t i) {
+        if (i == slow) std::this_thread::sleep_for(std::chrono::milliseconds(2));
+        if (i >= 5) throw std::runtime_error(std::to_string(i));
+      };
+      CHECK_THROWS_WITH(for_each_in_parallel(1000, jobs, fail_from_fifth), "5");
+    }
+  }
+}
+
 TEST_CASE("for_each_in_parallel: what a callback throws gets to the caller, on any thread") {
   for (const std::size_t jobs : {1u, 2u, 8u}) {
     CAPTURE(jobs);
