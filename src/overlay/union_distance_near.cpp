@@ -96,7 +96,7 @@ void take_least(std::span<const Point> points, std::size_t first, std::size_t la
   }
 }
 
-constexpr std::pair<std::size_t, double> kNone{0, std::numeric_limits<double>::infinity()};
+constexpr std::pair<std::size_t, double> kNoneFound{0, std::numeric_limits<double>::infinity()};
 
 // @param least_along  Takes q, and returns the point where q.(x - y) is least, and that value.
 template <class LeastAlong>
@@ -136,7 +136,7 @@ HullPoints::HullPoints(std::vector<Point> points) : points_(std::move(points)) {
 // Rounding is monotone: at the corner of a box where q.x is least the value is at most that of any
 // point in it. So what boxes leave out is not least, not even by rounding.
 std::pair<std::size_t, double> HullPoints::least_along(const Point& q, const Point& y) const {
-  std::pair<std::size_t, double> found = kNone;
+  std::pair<std::size_t, double> found = kNoneFound;
   if (boxes_.empty()) {
     take_least(points_, 0, points_.size(), q, y, found);
     return found;
@@ -158,7 +158,7 @@ std::pair<std::size_t, double> HullPoints::least_along(const Point& q, const Poi
       lowest = b;
     }
   }
-  std::pair<std::size_t, double> there = kNone;
+  std::pair<std::size_t, double> there = kNoneFound;
   take_box(lowest, there);
   for (std::size_t b = 0; b < boxes_.size(); ++b) {
     if (!(least_of_box(boxes_[b]) > there.second)) take_box(b, found);
@@ -168,7 +168,7 @@ std::pair<std::size_t, double> HullPoints::least_along(const Point& q, const Poi
 
 NearHull near_hull(std::span<const Point> points, const Point& y, double enough) {
   return hull_seen_from(points, y, enough, [&](const Point& q) {
-    std::pair<std::size_t, double> found = kNone;
+    std::pair<std::size_t, double> found = kNoneFound;
     take_least(points, 0, points.size(), q, y, found);
     return found;
   });
