@@ -87,7 +87,8 @@ NearSimplex nearest_in(const NearSimplex& simplex, const Point& added) {
 // Below it squares may underflow, or are a rounding error.
 constexpr double kLeastSquare = 0x1p-200;
 
-// The point of a range where q.(x - y) is least, if that is below `least`, which it becomes.
+// Takes the point of a range where q.(x - y) is least, and that value, if it is below the one
+// found.
 void take_least(std::span<const Point> points, std::size_t first, std::size_t last, const Point& q,
                 const Point& y, std::pair<std::size_t, double>& found) {
   for (std::size_t i = first; i < last; ++i) {

@@ -46,7 +46,7 @@ class HullPoints {
 
  private:
   std::vector<Point> points_;
-  std::vector<NearBox> boxes_;  // of so many points each; none if there are few
+  std::vector<NearBox> boxes_;  // of 32 neighbours each; none if there are few points
 };
 
 /// A distance between a point of a frame and the hull of some of its points, without

@@ -591,16 +591,20 @@ TEST_CASE("frame: the points of a set are those that each has alone, of any size
         }
       }
       doubles.push_back(doubles[3]);
+      doubles.emplace_back(-0.0, 0.0, -0.0);
       std::vector<RationalPoint> thirds;
       for (const Point& x : doubles) thirds.push_back(to_rational(x) / Rational(3));
       for (const PointSet& points : {PointSet(doubles), PointSet(thirds)}) {
         const BoundingBox box = bounding_box(points);
-        for (const NearFrame& frame : {frame_around(std::span(&box, 1)),
-                                       NearFrame{RationalPoint(Rational(1, 3), 0, 1), 2}}) {
+        for (const NearFrame& frame :
+             {frame_around(std::span(&box, 1)), NearFrame{RationalPoint(Rational(1, 3), 0, 1), 2},
+              NearFrame{RationalPoint::Zero(), 2}}) {
           const std::vector<Point> framed = frame(points);
           REQUIRE(framed.size() == points.size());
           for (std::size_t i = 0; i < points.size(); ++i) {
-            CHECK(framed[i] == frame(points[PointId(i)]));
+            const Point alone = frame(points[PointId(i)]);
+            CHECK(framed[i] == alone);
+            for (int k = 0; k < 3; ++k) CHECK(std::signbit(framed[i][k]) == std::signbit(alone[k]));
           }
         }
       }
