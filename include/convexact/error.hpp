@@ -102,6 +102,8 @@ struct StageWatch {
   /// When it becomes true, a search for the least volume ends with the best so far.
   const std::atomic<bool>* settle = nullptr;
 
+  /// The same flags without reports, for work on several things at the same time.
+  StageWatch without_reports() const { return {.stop = stop, .settle = settle}; }
   /// For the loops of one stage; it must not outlive this.
   Watch of(const std::string& stage) const {
     if (!progress) return stop;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // overlay.hpp - a surface laid over convex parts: what the union of the parts leaves uncovered,
-// and the volumes of both. Every decision is exact.
+// and the volumes of both. Every decision is exact. `jobs` are threads, at least 1, on which no
+// answer depends.
 #pragma once
 #include <cstddef>
 #include <memory>
@@ -60,7 +61,7 @@ struct SurfaceCoverage {
 ///            lines, so numbers do not grow with the cuts.
 [[nodiscard]] SurfaceCoverage find_uncovered(const Surface& surface,
                                              std::span<const ConvexPart> parts,
-                                             const Watch& watch = {});
+                                             const Watch& watch = {}, std::size_t jobs = 1);
 
 // ---- The solid
 
@@ -76,11 +77,9 @@ struct UncoveredSolid {
 /// Flat parts hold no volume.
 /// @param coverage  Only shortens the search: `{}` gives the same verdict.
 /// @throws Error Stopped when the watch ends the call.
-[[nodiscard]] std::optional<UncoveredSolid> find_uncovered_solid(const Surface& surface,
-                                                                 const Winding& winding,
-                                                                 std::span<const ConvexPart> parts,
-                                                                 const SurfaceCoverage& coverage,
-                                                                 const Watch& watch = {});
+[[nodiscard]] std::optional<UncoveredSolid> find_uncovered_solid(
+    const Surface& surface, const Winding& winding, std::span<const ConvexPart> parts,
+    const SurfaceCoverage& coverage, const Watch& watch = {}, std::size_t jobs = 1);
 
 /// The volume of the solid of a closed surface, in cubed length units, as union_volume() gives it:
 /// of {winding number != 0}, each point counted once, however often the surface winds about it or
@@ -89,7 +88,7 @@ struct UncoveredSolid {
 /// call.
 /// @par Cost  O(n log n) if no two triangles cross; else each triangle is cut where others meet it.
 [[nodiscard]] Measured solid_volume(const Surface& surface, long precision, bool exact,
-                                    const Watch& watch = {});
+                                    const Watch& watch = {}, std::size_t jobs = 1);
 
 /// The volume of the solid outside of the union, as union_volume() gives it. 0 iff
 /// find_uncovered_solid() finds nothing.
@@ -98,7 +97,7 @@ struct UncoveredSolid {
 ///            inside the solid; each is cut where triangles cross it.
 [[nodiscard]] Measured uncovered_volume(const Surface& surface, const Winding& winding,
                                         std::span<const ConvexPart> parts, long precision,
-                                        bool exact, const Watch& watch = {});
+                                        bool exact, const Watch& watch = {}, std::size_t jobs = 1);
 
 // ---- The parts
 
@@ -107,7 +106,7 @@ struct UncoveredSolid {
 /// @throws Error Stopped when the watch ends the call.
 /// @par Cost  Each facet is cut, in its plane, by the parts that meet it; nothing is cut in space.
 [[nodiscard]] Measured union_volume(std::span<const ConvexPart> parts, long precision, bool exact,
-                                    const Watch& watch = {});
+                                    const Watch& watch = {}, std::size_t jobs = 1);
 
 /// A point in the interior of both parts, if there is one; touching or flat parts have none.
 /// @par Cost  Signs of vertices with respect to facets, mostly in doubles, then clipping of a few
@@ -275,6 +274,6 @@ struct DirectedDistance {
 [[nodiscard]] DirectedDistance union_to_surface(std::span<const ConvexPart> parts,
                                                 const Surface& surface, const Winding* winding,
                                                 const Rational& squared_diameter,
-                                                const Watch& watch = {});
+                                                const Watch& watch = {}, std::size_t jobs = 1);
 
 }  // namespace convexact

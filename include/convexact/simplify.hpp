@@ -57,7 +57,9 @@ struct SimplifyRequest {
                                         ///< it.
   StoreRequest store;
   bool exact_volumes = false;  ///< As rationals too, not only their certain digits.
-  StageWatch watch = {};       ///< Reports removals as the progress of stage::kSimplify.
+  /// Threads, >= 1; as many as the machine has cores if it is not given. Nothing depends on it.
+  std::optional<std::size_t> jobs = {};
+  StageWatch watch = {};  ///< Reports removals as the progress of stage::kSimplify.
 };
 
 /// A facet that a run was asked to keep.

@@ -38,6 +38,9 @@ struct PartsRequest : Budgets {
   PartMeasures measures = PartMeasures::All;
   bool exact_volumes = false;  ///< Whether volumes are fractions, too.
   std::uint64_t seed = 1;      ///< Of every random order. The verdict does not depend on it.
+  /// Threads, >= 1; as many as the machine has cores if it is not given. The verdict does not
+  /// depend on it.
+  std::optional<std::size_t> jobs = {};
   StageWatch watch = {};
 };
 

@@ -50,7 +50,7 @@ convexact_containment verify_planes(const PointSet& points, const HalfspaceList&
 
 convexact_containment verify_vertices(const PointSet& points, const PointSet& vertices) {
   StageLog log;
-  const auto outcome = make_hull(vertices, 1, true, log);
+  const auto outcome = make_hull(vertices, {}, log);
   const auto* hull = std::get_if<Hull>(&outcome);
   if (hull == nullptr) throw Error(ErrorCode::NoInterior, "the vertices lie in one plane");
   return containment_in(facet_halfspaces(*hull, vertices), points);

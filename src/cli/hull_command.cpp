@@ -30,6 +30,7 @@ struct HullArguments {
   SceneOptions scene;
   OutputOptions output;
   HullRequest request;
+  std::optional<std::size_t> jobs;
   StdioOptions stdio;
 };
 
@@ -96,6 +97,7 @@ void add_hull_command(Command& program, int& exit_code) {
       ->default_str("volume,area,mean-width");
   command.add_flag("--exact-values", options->request.exact_volume,
                    "with --json: the volume as a fraction too");
+  add_jobs_option(command, options->jobs);
   add_stdio_options(command, options->stdio, "one hull");
   finish_command(command, options, exit_code, run_hull);
   add_verbose_option(command, options->global);

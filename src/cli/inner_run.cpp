@@ -119,9 +119,10 @@ int run_inner(const SimplifyArguments& options) {
   }
   options.output.require_room_for(scene.size());
   auto found = on_each_object<InnerResult>(
-      std::move(scene), run.log(), [&](const Shape& shape, std::size_t) {
+      std::move(scene), run.log(), jobs_of(options),
+      [&](const Shape& shape, std::size_t, const StageWatch& watch, std::size_t) {
         InnerRequest request = wanted;
-        request.watch = run.watch();
+        request.watch = watch;
         return simplify_inner(std::get<PointSet>(shape), request);
       });
   if (const auto* flat = std::get_if<FlatObject>(&found)) {

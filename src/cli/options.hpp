@@ -93,6 +93,12 @@ Option add_faces(Command& command, Number& value, const std::string& meaning) {
   return add_count(command, "-k,--faces", value, {4, std::uint64_t(1) << 32}, meaning);
 }
 
+/// --jobs, threads of a command; none given means all cores.
+inline Option add_jobs_option(Command& command, std::optional<std::size_t>& jobs) {
+  return add_count(command, "--jobs", jobs, {1, 256},
+                   "threads, by default as many as there are cores; no result depends on them");
+}
+
 /// An option that takes a size in bytes; 0 for no limit. A size is digits, with a fraction if
 /// wanted, then nothing, B, KB, MB, GB or TB (powers of 1024; KiB or K mean the same), in either
 /// case. A fraction of a byte is dropped; anything else, and 2^64 and more, is wrong usage.

@@ -75,7 +75,8 @@ class RunningQuery {
   std::optional<int> read_solids(const std::vector<std::string>& paths) {
     for (const SceneObject& object : run_.read(paths, options_.scene)) {
       StageLog log(run_.watch());
-      SolidOutcome outcome = make_solid(object.shape, options_.global.seed, true, log, false);
+      SolidOutcome outcome =
+          make_solid(object.shape, {.seed = options_.global.seed, .wants_dual = false}, log);
       run_.log().add(log.stages());
       if (const auto* reason = std::get_if<NotSolid>(&outcome)) {
         return run_.end_flat(object, *reason);

@@ -57,6 +57,7 @@ SimplifyRequest request_of(const SimplifyArguments& options) {
   SimplifyRequest request = simplify_request(options.given);
   if (options.total_faces) require_scene(options, request);
   request.exact_volumes = options.exact_values;
+  request.jobs = options.jobs;
   request.trace = !options.output.trace.empty();
   request.record = !options.output.proof.empty();
   request.seed = options.global.seed;
@@ -212,6 +213,7 @@ void add_simplify_command(Command& program, int& exit_code) {
   add_options({"engine", "search", "moves", "nodes", "verify", "center"});
   command.add_flag("--exact-values", options->exact_values,
                    "with --json: volumes as fractions too");
+  add_jobs_option(command, options->jobs);
   add_inner_options(command, *options);
   add_implicit_options(command, options->implicit);
   add_stdio_options(command, options->stdio, "one result");

@@ -187,7 +187,7 @@ ByTies is_end_of_removals(Case& c, std::size_t found) {
     if (found <= greedy_run(c, question->faces).solid.exact.planes.size()) return ByTies::Lead;
   }
   StageLog log(c.watch);
-  const auto solid = make_solid(Shape(c.given.points), kSeed, true, log);
+  const auto solid = make_solid(Shape(c.given.points), {.seed = kSeed}, log);
   return do_ties_lead(std::get<Solid>(solid), *kept, kMostTieStates, c.watch.stop);
 }
 
@@ -242,7 +242,7 @@ void measure(Case& c) {
 // The solid that points or halfspaces stand for; nothing if there is none.
 std::optional<Polytope> solid_of(const PointSet& points) {
   StageLog log;
-  const auto made = make_hull(points, kSeed, false, log);
+  const auto made = make_hull(points, {.seed = kSeed, .check = false}, log);
   const auto* hull = std::get_if<Hull>(&made);
   return hull == nullptr ? std::nullopt : std::optional(to_polytope(*hull, points));
 }

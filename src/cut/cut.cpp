@@ -321,7 +321,7 @@ class Cutter {
 
 Partition cut(const Surface& surface, const Winding* winding, ReachLimit& limit,
               const PartitionOptions& options) {
-  if (options.jobs == 0) throw Error(ErrorCode::InvalidArgument, "no work without a thread");
+  require_threads(options.jobs);
   return Cutter(surface, winding, limit, options).run();
 }
 

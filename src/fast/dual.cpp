@@ -14,6 +14,7 @@
 #include "fast/mesh.hpp"
 #include "fast/signs.hpp"
 #include "number/arithmetic.hpp"
+#include "task/lazy.hpp"
 
 namespace convexact {
 
@@ -22,22 +23,22 @@ struct FastDual::Planes {
   const DualHull* dual = nullptr;
   const Hull* hull = nullptr;
   const PointSet* points = nullptr;
-  std::vector<std::unique_ptr<const Halfspace>> formed;
+  std::vector<Lazy<std::unique_ptr<const Halfspace>>> formed;
 
   std::array<PointId, 3> corners(std::size_t i) const {
     const auto all = hull->facets[i];
     return {all[0], all[all.size() / 3], all[2 * all.size() / 3]};
   }
-  const Halfspace& operator[](std::size_t i) {
+  const Halfspace& operator[](std::size_t i) const {
     if (dual != nullptr) return dual->halfspaces[i];
-    if (formed[i] == nullptr) {
-      const auto [a, b, c] = corners(i);
-      const auto exact = [&](PointId id) { return points->doubles()[id.index()]; };
-      formed[i] = std::make_unique<const Halfspace>(
-          points->is_binary() ? Halfspace::through(exact(a), exact(b), exact(c))
-                              : Halfspace::through((*points)[a], (*points)[b], (*points)[c]));
-    }
-    return *formed[i];
+    return *formed[i].get([&] { return form(i); });
+  }
+  std::unique_ptr<const Halfspace> form(std::size_t i) const {
+    const auto [a, b, c] = corners(i);
+    const auto exact = [&](PointId id) { return points->doubles()[id.index()]; };
+    return std::make_unique<const Halfspace>(
+        points->is_binary() ? Halfspace::through(exact(a), exact(b), exact(c))
+                            : Halfspace::through((*points)[a], (*points)[b], (*points)[c]));
   }
 };
 
@@ -56,8 +57,8 @@ long FastDual::cost_exponent(CostMeasure measure) const {
 
 std::size_t FastDual::formed() const {
   const auto& formed = planes_->formed;
-  return formed.size() -
-         static_cast<std::size_t>(std::count(formed.begin(), formed.end(), nullptr));
+  return static_cast<std::size_t>(
+      std::count_if(formed.begin(), formed.end(), [](const auto& each) { return each.is_made(); }));
 }
 
 bool FastDual::precedes(HalfspaceId i, HalfspaceId j) const {
@@ -343,7 +344,7 @@ FastDual FastDual::of(const Hull& hull, const PointSet& points) {
   FastDual dual;
   dual.planes_->hull = &hull;
   dual.planes_->points = &points;
-  dual.planes_->formed.resize(hull.facets.size());
+  dual.planes_->formed = decltype(dual.planes_->formed)(hull.facets.size());
   dual.near_.resize(hull.facets.size());
   dual.rest_.resize(hull.facets.size());
   DualFaces faces = triangulate_dual_faces(hull.facets, points.size());

@@ -114,7 +114,7 @@ class FastDual {
   /// points in_callers_frame(), times 2^this are costs in the caller's units.
   long cost_exponent(CostMeasure measure) const;
 
-  /// The halfspace itself; formed at the first call. Not to be called from two threads.
+  /// The halfspace itself; formed when it is first asked for.
   const Halfspace& exact(HalfspaceId i) const;
   /// How many halfspaces have been formed so far.
   std::size_t formed() const;

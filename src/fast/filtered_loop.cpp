@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "convexact/error.hpp"
+#include "task/parallel.hpp"
 
 namespace convexact {
 
@@ -59,7 +60,8 @@ FilteredLoop::FilteredLoop(const FastDual& dual, const SimplifyOptions& options,
       terms_(options.cost == CostMeasure::Volume ? 0 : dual.size()),
       tie_(dual.size()),
       check_(dual),
-      left_(dual.size()) {
+      left_(dual.size()),
+      is_observed_(observer != nullptr) {
   if (options.faces < 4) throw Error(ErrorCode::InvalidArgument, "a solid has at least 4 faces");
   if (options.max_growth && options.growth_measure() != options.cost) {
     limited_cap_.emplace(dual, mesh_, options.growth_measure(), options.seed);
@@ -109,6 +111,7 @@ FastResult FilteredLoop::finish(StopReason stop) {
   result_.triangles = mesh_.triangles();
   result_.survivors = mesh_.vertices();
   counts_.signs = cap_.sign_counts();
+  counts_.signs += other_signs_;
   result_.counts = counts_;
   return std::move(result_);
 }
@@ -117,12 +120,55 @@ Cost FilteredLoop::measure(CostMeasure kind) const {
   return exact_measure(dual_, mesh_.triangles(), kind);
 }
 
-void FilteredLoop::evaluate_all() {
-  for (std::size_t i = 0; i < dual_.size(); ++i) queue_.append(HalfspaceId(i), 0);
-  for (const HalfspaceId i : options_.keep) queue_.erase(i);
-  for (std::size_t i = 0; i < dual_.size(); ++i) {
-    if (queue_.contains(HalfspaceId(i))) evaluate(HalfspaceId(i));
+// The cap has scratch memory of its own, so each thread needs one.
+void FilteredLoop::look_at_some(FilteredCap& cap, std::span<const HalfspaceId> some,
+                                std::vector<FirstBounds>& found) const {
+  for (const HalfspaceId i : some) {
+    cap.prepare(i);
+    found[i.index()].bounds = cap.in_doubles();
+    if (terms_.empty()) continue;
+    const std::span<const LastingTerm> terms = cap.lasting_terms();
+    found[i.index()].terms.assign(terms.begin(), terms.end());
   }
+}
+
+// On several threads, since the mesh does not change yet; an observer is told on one.
+std::vector<FilteredLoop::FirstBounds> FilteredLoop::look_at_all(std::span<const HalfspaceId> all) {
+  constexpr std::size_t kWorthAThread = 2048;
+  const std::size_t most = is_observed_ ? 1 : options_.jobs;
+  const std::size_t threads = std::clamp<std::size_t>(all.size() / kWorthAThread, 1, most);
+  std::vector<FirstBounds> found(dual_.size());
+  std::vector<SignCounts> signs(threads);
+  for_each_in_parallel(threads, threads, [&](std::size_t k) {
+    const std::size_t first = all.size() * k / threads, end = all.size() * (k + 1) / threads;
+    const auto some = all.subspan(first, end - first);
+    if (k == 0) return look_at_some(cap_, some, found);
+    FilteredCap own(dual_, mesh_, options_.cost, options_.seed);
+    look_at_some(own, some, found);
+    signs[k] = own.sign_counts();
+  });
+  for (const SignCounts& each : signs) other_signs_ += each;
+  return found;
+}
+
+void FilteredLoop::evaluate_all() {
+  std::vector<bool> is_kept(dual_.size(), false);
+  for (const HalfspaceId i : options_.keep) is_kept.at(i.index()) = true;
+  std::vector<HalfspaceId> all;
+  for (std::size_t i = 0; i < dual_.size(); ++i) {
+    if (!is_kept[i]) all.emplace_back(i);
+  }
+  std::vector<FirstBounds> found = look_at_all(all);
+  for (const HalfspaceId i : all) {
+    auto& [bounds, terms] = found[i.index()];
+    ++counts_.evaluations;
+    counts_.doubtful += bounds.kind == Boundedness::Doubtful;
+    if (bounds.kind == Boundedness::Unbounded) continue;  // for good, see evaluate()
+    queue_.append(i, std::max(0.0, bounds.lower));
+    upper_[i.index()] = bounds.upper;
+    if (!terms_.empty()) terms_[i.index()] = std::move(terms);
+  }
+  queue_.make_heap();
 }
 
 bool FilteredLoop::is_bounded(HalfspaceId i) {

@@ -2,6 +2,7 @@
 // filtered_loop.hpp - the lazy greedy loop of the filtered engine, step by step.
 #pragma once
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "convexact/number.hpp"
@@ -97,6 +98,14 @@ class FilteredLoop {
   void remove(HalfspaceId i);
 
  private:
+  // What the first look at all caps finds about one; found by id.
+  struct FirstBounds {
+    CostBounds<double> bounds;
+    std::vector<LastingTerm> terms;
+  };
+  void look_at_some(FilteredCap& cap, std::span<const HalfspaceId> some,
+                    std::vector<FirstBounds>& found) const;
+  std::vector<FirstBounds> look_at_all(std::span<const HalfspaceId> all);
   void evaluate(HalfspaceId i);
   void refine(HalfspaceId i);
   void set_bounds(HalfspaceId i, const DoubleDouble& lower, const DoubleDouble& upper);
@@ -140,6 +149,8 @@ class FilteredLoop {
   std::vector<HalfspaceId> across_;
   std::vector<DualTriangle> new_triangles_;
   std::size_t left_;
+  bool is_observed_;
+  SignCounts other_signs_;  // decided by other caps than cap_
   FastResult result_;
 };
 

@@ -127,6 +127,14 @@ struct SignCounts {
   std::uint64_t incident = 0;  ///< Zero: the planes share a vertex of the input, or a direction.
   std::uint64_t extended = 0;  ///< Decided by DoubleDouble.
   std::uint64_t exact = 0;     ///< Decided by integers.
+
+  SignCounts& operator+=(const SignCounts& other) {
+    filtered += other.filtered;
+    incident += other.incident;
+    extended += other.extended;
+    exact += other.exact;
+    return *this;
+  }
 };
 
 /// A sign that `value`, off by at most `bound`, proves; NaN proves nothing.

@@ -78,6 +78,9 @@ bool are_collinear(const Points& points, PointId a, PointId b, PointId c) {
 /// are about a double near the middle of the box and center_side() must not be called.
 class DoublePoints {
  public:
+  /// Whether several threads may ask for signs at the same time.
+  static constexpr bool kForThreads = true;
+
   explicit DoublePoints(std::span<const Point> points);
   /// The center becomes the centroid of four points that span a volume. It is computed in doubles
   /// if the result is strictly inside of them: signs about such a center are those of orient3d().
@@ -109,6 +112,8 @@ static_assert(ExactPoints<DoublePoints>);
 /// called.
 class HomogeneousPoints {
  public:
+  static constexpr bool kForThreads = false;  // integers are kept as they are needed
+
   /// @throws Error InvalidArgument if some w <= 0.
   explicit HomogeneousPoints(std::span<const HomogeneousPoint> points);
   /// Integers are computed for the points that a sign needs. Precondition: it is not binary.

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The incremental hull as a triangulated surface, over any exact points; see docs/design/hull.md.
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <utility>
@@ -9,6 +10,7 @@
 #include "hull/hull_observer.hpp"
 #include "hull/hull_steps.hpp"
 #include "number/random.hpp"
+#include "task/parallel.hpp"
 
 namespace convexact {
 namespace {
@@ -76,14 +78,17 @@ template <ExactPoints Points>
 class IncrementalHull {
  public:
   // `points` outlive this and are centered at `simplex`; side(simplex 0, 1, 2, 3) is Negative.
-  IncrementalHull(const Points& points, const std::array<PointId, 4>& simplex)
+  IncrementalHull(const Points& points, const std::array<PointId, 4>& simplex,
+                  const HullOptions& options)
       : points_(points),
         near_(points.near()),
         next_(near_.size()),
         conflict_(near_.size(), kNone),
         horizon_at_(near_.size()),
         round_of_(near_.size(), 0),
-        fan_(points) {
+        fan_(points),
+        jobs_(Points::kForThreads ? options.jobs : 1),
+        watch_(options.watch) {
     result_.inside.reserve(near_.size());
     start(simplex);
   }
@@ -93,7 +98,6 @@ class IncrementalHull {
     // it quadratic. So it has a budget of O(n log n) moves and triangles. The points left after
     // that are inserted in random order, whose expected bound holds after any start.
     const double n = static_cast<double>(near_.size());
-    watch_ = options.watch;
     observer_ = options.observer;
     if (observer_ != nullptr) show_start();
     insert_furthest_first(options.furthest_first_effort * n * std::log2(n));
@@ -160,36 +164,71 @@ class IncrementalHull {
     const std::array<PointId, 3> turn{s[0], s[2], s[1]};
     const std::array<std::uint32_t, 3> side{added_[2], added_[1], added_[0]};
     fan_.assign(s[3], turn);
+    std::vector<PointId> rest;
+    rest.reserve(near_.size() - s.size());
     for (std::size_t i = 0; i < near_.size(); ++i) {
-      const PointId p(i);
-      if (p == s[0] || p == s[1] || p == s[2] || p == s[3]) continue;
+      if (std::find(s.begin(), s.end(), PointId(i)) == s.end()) rest.emplace_back(i);
+    }
+    file_all(rest, [&](PointId p) {
       // The fan splits space about the axis; the edge of its rim splits each part once more.
       const std::size_t k = fan_.locate(p);
       const bool low = center_side_of(points_, turn[k], turn[(k + 1) % 3], p) == Sign::Negative;
-      file(p, low ? base : side[k]);
-    }
+      return low ? base : side[k];
+    });
   }
 
-  // Lists p with triangle t, whose cone from the center holds it, or discards p.
-  void file(PointId p, std::uint32_t t) {
-    const SurfaceTriangle& s = triangle(t);
+  // The triangle whose cone from the center holds a point, and where it lies there.
+  struct Place {
+    std::uint32_t triangle;
+    double height;
+    bool is_beyond;
+  };
+
+  Place place(PointId p, std::uint32_t t) const {
+    const SurfaceTriangle& s = result_.triangles[t];
     const double height = s.plane.height(near_[p.index()]);
     const auto certain = certain_sign(height, s.plane.bound);
     const Sign sign =
         certain ? *certain : points_.side(s.corners[0], s.corners[1], s.corners[2], p);
-    if (sign != Sign::Positive) return give_up(p, t);
+    return {t, height, sign == Sign::Positive};
+  }
+
+  // Lists each point with the triangle that `find` says, or discards it. Many points find their
+  // places on several threads first: that is most of the work, and none depends on another.
+  template <class Find>
+  void file_all(std::span<const PointId> points, const Find& find) {
+    constexpr std::size_t kTurn = 4096;
+    const std::size_t turns = points.size() / kTurn;
+    if (jobs_ == 1 || turns < 4) {
+      for (const PointId p : points) file(p, place(p, find(p)));
+      return;
+    }
+    places_.resize(points.size());
+    for_each_in_parallel(turns, jobs_, [&](std::size_t turn) {
+      watch_.ask();
+      const std::size_t end = turn + 1 < turns ? (turn + 1) * kTurn : points.size();
+      for (std::size_t k = turn * kTurn; k < end; ++k) {
+        places_[k] = place(points[k], find(points[k]));
+      }
+    });
+    for (std::size_t k = 0; k < points.size(); ++k) file(points[k], places_[k]);
+  }
+
+  void file(PointId p, const Place& at) {
+    const std::uint32_t t = at.triangle;
+    if (!at.is_beyond) return give_up(p, t);
     conflict_[p.index()] = t;
     Conflicts& list = conflicts_[t];
     if (list.first == kNone) {
       next_[p.index()] = kNone;
       list.first = p.value;
-      list.highest = height;
+      list.highest = at.height;
       if (!list.pending) pending_.push_back(t);
       list.pending = true;
-    } else if (height > list.highest) {
+    } else if (at.height > list.highest) {
       next_[p.index()] = list.first;
       list.first = p.value;
-      list.highest = height;
+      list.highest = at.height;
     } else {
       next_[p.index()] = next_[list.first];
       next_[list.first] = p.value;
@@ -377,7 +416,7 @@ class IncrementalHull {
   void redistribute(PointId apex) {
     if (orphans_.empty() && swallowed_.empty()) return;
     fan_.assign(apex, rim_);
-    for (const PointId p : orphans_) file(p, added_[fan_.locate(p)]);
+    file_all(orphans_, [&](PointId p) { return added_[fan_.locate(p)]; });
     for (const PointId p : swallowed_) give_up(p, added_[fan_.locate(p)]);
   }
 
@@ -407,6 +446,7 @@ class IncrementalHull {
   TriangleFan<Points> fan_;
   std::uint32_t round_ = 0;
   double work_ = 0;
+  std::size_t jobs_;
   Watch watch_;
   HullObserver* observer_ = nullptr;
   // Of the current insertion; members to keep their memory.
@@ -414,6 +454,7 @@ class IncrementalHull {
   std::vector<std::uint8_t> outer_edge_;
   std::vector<HorizonEdge> edges_;
   std::vector<PointId> rim_, orphans_, swallowed_;
+  std::vector<Place> places_;
   // For an observer: what it is shown, and how many points had been given up before.
   std::vector<HullTriangle> shown_visible_;
   std::size_t inside_before_ = 0;
@@ -424,7 +465,7 @@ class IncrementalHull {
 template <ExactPoints Points>
 TriangulatedHull triangulate(const Points& points, const std::array<PointId, 4>& simplex,
                              const HullOptions& options) {
-  return IncrementalHull(points, simplex).build(options);
+  return IncrementalHull(points, simplex, options).build(options);
 }
 
 template TriangulatedHull triangulate(const DoublePoints&, const std::array<PointId, 4>&,

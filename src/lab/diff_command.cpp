@@ -80,11 +80,13 @@ int run_diff(const DiffArguments& options) {
   request.watch = run.watch();
   std::vector<SceneObject> scene = run.read(options.inputs, options.scene);
   const auto keep = keep_selectors("--keep", options.keep, scene);
-  const auto found = on_each_object<DiffReport>(std::move(scene), run.log(),
-                                                [&](const Shape& shape, std::size_t k) {
-                                                  request.keep = keep[k];
-                                                  return diff_engines(shape, request);
-                                                });
+  // One after another: the report says how long each engine took.
+  const auto found = on_each_object<DiffReport>(
+      std::move(scene), run.log(), 1,
+      [&](const Shape& shape, std::size_t k, const StageWatch&, std::size_t) {
+        request.keep = keep[k];
+        return diff_engines(shape, request);
+      });
   if (const auto* flat = std::get_if<FlatObject>(&found)) {
     return run.end_flat(flat->name, flat->reason);
   }

@@ -2,10 +2,12 @@
 // The rest of triangles outside the parts: one part after another is subtracted from each triangle,
 // in its plane.
 #include <algorithm>
+#include <iterator>
 
 #include "number/arithmetic.hpp"
 #include "overlay/convex_piece.hpp"
 #include "overlay/scaled.hpp"
+#include "task/parallel.hpp"
 
 namespace convexact {
 namespace {
@@ -23,32 +25,33 @@ class Coverage {
     tree_.emplace(std::move(boxes));
   }
 
-  SurfaceCoverage find(const Watch& watch) {
+  SurfaceCoverage find(const Watch& watch, std::size_t jobs) const {
     SurfaceCoverage coverage;
-    const Holders holders(points_, parts_, *tree_, watch);
-    for (std::size_t t = 0; t < surface_.triangles.size(); ++t) {
-      watch.at(t, surface_.triangles.size());
-      const auto& ids = surface_.triangles[t];
-      const Ids<3> corners{ids[0].value, ids[1].value, ids[2].value};
-      if (holders.any_holds(corners)) {
-        ++coverage.in_one_part;
-        continue;
-      }
-      if (has_area(corners)) {
-        subtract_parts<3>(TriangleId(t), corners, coverage.uncovered);
-        continue;
-      }
-      const Ids<2> ends = far_ends(corners);
-      if (points_.rational(ends[0]) != points_.rational(ends[1])) {
-        subtract_parts<2>(TriangleId(t), ends, coverage.uncovered);
-      } else {  // a point in no part
-        coverage.uncovered.push_back({TriangleId(t), {points_.rational(ends[0])}, 1});
-      }
-    }
+    const Holders holders(points_, parts_, *tree_, watch, jobs);
+    take_in_order(
+        surface_.triangles.size(), jobs, watch,
+        [&](std::size_t t, const Watch&) { return rest_of(TriangleId(t), holders); },
+        [&](std::size_t, std::optional<std::vector<UncoveredPiece>> rest) {
+          coverage.in_one_part += rest ? 0 : 1;
+          if (rest) std::move(rest->begin(), rest->end(), std::back_inserter(coverage.uncovered));
+          return true;
+        });
     return coverage;
   }
 
  private:
+  // Nothing of a triangle in one part.
+  std::optional<std::vector<UncoveredPiece>> rest_of(TriangleId t, const Holders& holders) const {
+    const auto& ids = surface_.triangles[t.index()];
+    const Ids<3> corners{ids[0].value, ids[1].value, ids[2].value};
+    if (holders.any_holds(corners)) return {};
+    if (has_area(corners)) return subtract_parts<3>(t, corners);
+    const Ids<2> ends = far_ends(corners);
+    const RationalPoint first = points_.rational(ends[0]);
+    if (first != points_.rational(ends[1])) return subtract_parts<2>(t, ends);
+    return {{{t, {first}, 1}}};  // a point in no part
+  }
+
   bool has_area(const Ids<3>& ids) const {
     const HomogeneousPoint &a = points_.exact(ids[0]), &b = points_.exact(ids[1]),
                            &c = points_.exact(ids[2]);
@@ -66,7 +69,7 @@ class Coverage {
   }
 
   template <std::size_t N>
-  void subtract_parts(TriangleId t, const Ids<N>& corners, std::vector<UncoveredPiece>& out) {
+  std::vector<UncoveredPiece> subtract_parts(TriangleId t, const Ids<N>& corners) const {
     NearBox box;
     for (const std::uint32_t i : corners) box.include(points_.box(i));
     std::vector<std::uint32_t> near;
@@ -74,15 +77,13 @@ class Coverage {
     std::vector<std::pair<std::uint32_t, Meeting>> meetings;
     for (const std::uint32_t p : near) {
       Meeting met = meeting(parts_[p], points_, corners);
-      if (met.kind == Meeting::Holds) return;
+      if (met.kind == Meeting::Holds) return {};
       if (met.kind == Meeting::Crossing) meetings.emplace_back(p, std::move(met));
     }
     if (meetings.empty()) {
-      UncoveredPiece& piece = out.emplace_back();
-      piece.triangle = t;
+      UncoveredPiece piece{t, {}, 1};
       for (const std::uint32_t i : corners) piece.corners.push_back(points_.rational(i));
-      piece.share = 1;
-      return;
+      return {std::move(piece)};
     }
     std::array<HomogeneousPoint, N> frame;
     for (std::size_t k = 0; k < N; ++k) frame[k] = points_.exact(corners[k]);
@@ -95,14 +96,16 @@ class Coverage {
         rows.push_back(arrangement.add(parts_[p].part->halfspaces[h]));
       }
       (void)subtract<N>(arrangement, pieces, rows);
-      if (pieces.empty()) return;
+      if (pieces.empty()) return {};
     }
+    std::vector<UncoveredPiece> left;
     for (const ConvexPiece<N>& rest : pieces) {
-      UncoveredPiece& piece = out.emplace_back();
+      UncoveredPiece& piece = left.emplace_back();
       piece.triangle = t;
       for (const auto& corner : rest.corners) piece.corners.push_back(arrangement.point(corner.at));
       piece.share = share_of(arrangement, rest);
     }
+    return left;
   }
 
   const Surface& surface_;
@@ -114,11 +117,11 @@ class Coverage {
 }  // namespace
 
 SurfaceCoverage find_uncovered(const Surface& surface, std::span<const ConvexPart> parts,
-                               const Watch& watch) {
+                               const Watch& watch, std::size_t jobs) {
   if (surface.triangles.empty()) return {};
   std::vector<BoundingBox> boxes{bounding_box(surface.points)};
   for (const ConvexPart& part : parts) boxes.push_back(part.box);
-  return Coverage(surface, parts, common_exponent(boxes)).find(watch);
+  return Coverage(surface, parts, common_exponent(boxes)).find(watch, jobs);
 }
 
 }  // namespace convexact

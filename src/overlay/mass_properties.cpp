@@ -26,7 +26,7 @@ std::optional<MassProperties> mass_properties(const Surface& surface, const Watc
     add_piece(sum, p.arrangement, p.piece, p.looks_out);
     return true;
   };
-  visit_uncovered_boundary(surface, winding, {}, common_exponent(surface, {}), {visit}, watch);
+  visit_uncovered_boundary(surface, winding, {}, common_exponent(surface, {}), {visit}, watch, 1);
   return sum.total();
 }
 

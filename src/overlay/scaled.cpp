@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "task/parallel.hpp"
+
 namespace convexact {
 
 Halfspace wall(const HomogeneousPoint& p, const HomogeneousPoint& q, const IntegerVector3& normal) {
@@ -115,11 +117,10 @@ LaidPart::LaidPart(const ConvexPart& convex, long exponent)
 }
 
 Holders::Holders(const ScaledPoints& points, std::span<const LaidPart> parts, const BoxTree& tree,
-                 const Watch& watch)
+                 const Watch& watch, std::size_t jobs)
     : holders_(points.size()) {
-  std::vector<std::uint32_t> near;
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    watch.ask();
+  const auto find = [&](std::size_t i) {
+    std::vector<std::uint32_t> near;
     tree.find(points.box(i), near);
     for (const std::uint32_t p : near) {
       bool is_held = true;
@@ -128,7 +129,13 @@ Holders::Holders(const ScaledPoints& points, std::span<const LaidPart> parts, co
       }
       if (is_held) holders_[i].push_back(p);
     }
-  }
+  };
+  constexpr std::size_t kTogether = 256;
+  for_each_in_parallel((points.size() + kTogether - 1) / kTogether, jobs, [&](std::size_t block) {
+    watch.ask();
+    const std::size_t end = std::min(points.size(), (block + 1) * kTogether);
+    for (std::size_t i = block * kTogether; i < end; ++i) find(i);
+  });
 }
 
 bool Holders::any_holds(const std::array<std::uint32_t, 3>& ids) const {

@@ -82,9 +82,10 @@ struct LaidPart {
 class Holders {
  public:
   /// @param tree  Over the boxes of the parts.
+  /// @param jobs  Threads, at least 1.
   /// @throws Error Stopped when the watch ends the call.
   Holders(const ScaledPoints& points, std::span<const LaidPart> parts, const BoxTree& tree,
-          const Watch& watch);
+          const Watch& watch, std::size_t jobs);
 
   /// Whether one part holds all three points, and so their triangle.
   bool any_holds(const std::array<std::uint32_t, 3>& ids) const;

@@ -49,35 +49,40 @@ Rational SixVolumes::cone(const std::array<RationalPoint, 3>& triangle, bool loo
   return looks_out ? outward : Rational(-outward);
 }
 
-void SixVolumes::add(Arrangement<3>& arrangement, std::span<const ConvexPiece<3>> pieces,
-                     bool looks_out) {
-  is_empty_ = is_empty_ && pieces.empty();
+SixVolumes::Term SixVolumes::term(Arrangement<3>& arrangement,
+                                  std::span<const ConvexPiece<3>> pieces, bool looks_out) const {
+  Term found{Enclosure(bits_), {}};
   std::array<RationalPoint, 3> triangle;
   for (std::size_t k = 0; k < 3; ++k) {
     const HomogeneousPoint& p = arrangement.frame()[k];
     for (int i = 0; i < 3; ++i) triangle[k][i] = Rational(p.n[i], p.w);
   }
   const Rational whole = cone(triangle, looks_out);
-  if (whole == 0) return;
+  if (whole == 0) return found;
   if (exact_) {
-    for (const ConvexPiece<3>& piece : pieces)
-      terms_.push_back(whole * share_of(arrangement, piece));
-    return;
+    for (const ConvexPiece<3>& piece : pieces) {
+      found.exact.push_back(whole * share_of(arrangement, piece));
+    }
+    return found;
   }
   Integer share = 0, error = 0;
   for (const ConvexPiece<3>& piece : pieces) add_share(arrangement, piece, bits_, share, error);
   const auto end = [&](const Integer& x) { return scale_by_power_of_two(Rational(x), -2 * bits_); };
-  sum_ += Enclosure(whole, bits_) * Enclosure(end(share - error), end(share + error), bits_);
+  found.bounds = Enclosure(whole, bits_) * Enclosure(end(share - error), end(share + error), bits_);
+  return found;
 }
 
-void SixVolumes::add(const std::array<RationalPoint, 3>& triangle, bool looks_out) {
-  is_empty_ = false;
+SixVolumes::Term SixVolumes::term(const std::array<RationalPoint, 3>& triangle,
+                                  bool looks_out) const {
   Rational whole = cone(triangle, looks_out);
-  if (exact_) {
-    terms_.push_back(std::move(whole));
-  } else {
-    sum_ += Enclosure(whole, bits_);
-  }
+  if (exact_) return {Enclosure(bits_), {std::move(whole)}};
+  return {Enclosure(whole, bits_), {}};
+}
+
+void SixVolumes::add(Term term) {
+  is_empty_ = false;
+  if (!exact_) sum_ += term.bounds;
+  for (Rational& summand : term.exact) terms_.push_back(std::move(summand));
 }
 
 Measured measure_inside(const RationalPoint& origin, long precision, bool exact,

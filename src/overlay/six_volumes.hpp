@@ -18,11 +18,20 @@ class SixVolumes {
   SixVolumes(RationalPoint origin, long bits, bool exact)
       : origin_(std::move(origin)), bits_(bits), exact_(exact), sum_(bits) {}
 
-  /// Adds pieces of the boundary, which faces the same way as the frame's triangle, or the opposite
-  /// way.
-  void add(Arrangement<3>& arrangement, std::span<const ConvexPiece<3>> pieces, bool looks_out);
-  /// Adds a whole triangle.
-  void add(const std::array<RationalPoint, 3>& triangle, bool looks_out);
+  /// What a piece of the boundary adds.
+  struct Term {
+    Enclosure bounds;
+    std::vector<Rational> exact;  ///< Summands; none if enclosures are wanted.
+  };
+  /// Of pieces of the boundary, which faces the same way as the frame's triangle, or the opposite
+  /// way. Several threads may call this at the same time.
+  Term term(Arrangement<3>& arrangement, std::span<const ConvexPiece<3>> pieces,
+            bool looks_out) const;
+  /// Of a whole triangle, likewise.
+  Term term(const std::array<RationalPoint, 3>& triangle, bool looks_out) const;
+
+  /// Enclosures are rounded: their order matters.
+  void add(Term term);
 
   bool is_empty() const { return is_empty_; }
   const Enclosure& bounds() const { return sum_; }

@@ -1,8 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "overlay/solid_boundary.hpp"
 
+#include <algorithm>
+
 #include "surface/flat_polygon.hpp"
 #include "surface/patches.hpp"
+#include "task/lazy.hpp"
+#include "task/parallel.hpp"
 
 namespace convexact {
 namespace {
@@ -10,31 +14,49 @@ namespace {
 class Walk {
  public:
   Walk(const Surface& surface, const Winding& winding, std::span<const ConvexPart> parts,
-       long exponent, const BoundaryVisitor& visitor, const Watch& watch)
+       long exponent, const BoundaryVisitor& visitor, const Watch& watch, std::size_t jobs)
       : surface_(surface, exponent),
         winding_(winding),
         patches_(find_patches(surface, watch)),
         beside_(surface.triangles.size()),
         union_(parts, exponent),
-        holders_(union_.holders(surface_.points(), watch)),
+        holders_(union_.holders(surface_.points(), watch, jobs)),
         visitor_(visitor),
-        whole_triangles_(parts.empty() && visitor.whole),
-        watch_(watch) {}
+        whole_triangles_(parts.empty() && visitor.whole) {}
 
-  void run() {
+  void run(const Watch& watch, std::size_t jobs) const {
     const std::size_t triangles = surface_.surface().triangles.size();
-    steps_ = triangles + union_.facets().size();
-    for (std::size_t t = 0; t < triangles; ++t) {
-      watch_.at(done_++, steps_);
-      if (!triangle(t)) return;
-    }
-    for (const UnionBoundary::FacetId f : union_.facets()) {
-      watch_.at(done_++, steps_);
-      if (!facet(f)) return;
-    }
+    take_in_order(
+        triangles + union_.facets().size(), jobs, watch,
+        [&](std::size_t i, const Watch& quiet) {
+          return i < triangles ? triangle(i, quiet) : facet(union_.facets()[i - triangles], quiet);
+        },
+        [&](std::size_t i, Found&& found) { return visit(i, found); });
   }
 
  private:
+  // A piece of a plane that belongs to the boundary.
+  struct At {
+    std::size_t piece;
+    RationalPoint x;  // strictly inside of it
+    bool looks_out;
+  };
+  // What a triangle, or a facet, adds to the boundary.
+  struct Found {
+    std::optional<bool> whole = {};        // a whole triangle: whether it looks out
+    std::optional<PlanePieces> rest = {};  // of these the following
+    const Halfspace* plane = nullptr;
+    std::vector<At> pieces = {};
+  };
+
+  bool visit(std::size_t triangle, Found& found) const {
+    if (found.whole) visitor_.whole(TriangleId(triangle), *found.whole);
+    return std::all_of(found.pieces.begin(), found.pieces.end(), [&](const At& at) {
+      return visitor_.piece({found.rest->arrangement, found.rest->pieces[at.piece], *found.plane,
+                             at.x, at.looks_out});
+    });
+  }
+
   // A point strictly inside the piece, off the boundary of every related triangle.
   RationalPoint clear_point(Arrangement<3>& arrangement, const ConvexPiece<3>& piece,
                             const LaidSurface::Related& related,
@@ -48,51 +70,53 @@ class Walk {
   }
 
   // (1)
-  bool triangle(std::size_t t) {
+  Found triangle(std::size_t t, const Watch& watch) const {
     const auto corners = surface_.corners(t);
-    if (patches_.repeats_last[t]) return true;  // its pieces count for the first of them
-    if (whole_triangles_ && !patches_.is_crossed[t]) return whole_triangle(t);
-    if (holders_.any_holds(corners)) return true;
+    if (patches_.repeats_last[t]) return {};  // its pieces count for the first of them
+    if (whole_triangles_ && !patches_.is_crossed[t]) return {whole_triangle(t)};
+    if (holders_.any_holds(corners)) return {};
     const LaidSurface::Walls* walls = surface_.walls(t);
-    if (walls == nullptr) return true;
-    auto rest = union_.rest_of(surface_.points(), corners);
-    if (!rest) return true;
-    if (!patches_.is_crossed[t]) return plain_triangle(t, *walls, *rest);
+    if (walls == nullptr) return {};
+    Found found{{}, union_.rest_of(surface_.points(), corners), &walls->plane};
+    if (!found.rest) return {};
+    if (!patches_.is_crossed[t]) return plain_triangle(t, std::move(found));
+    auto& [arrangement, pieces] = *found.rest;
     const auto related = surface_.relate(walls->plane, surface_.box(t), corners, t);
-    surface_.cut(rest->arrangement, rest->pieces, related, t);
-    for (const ConvexPiece<3>& piece : rest->pieces) {
-      watch_.ask();
+    surface_.cut(arrangement, pieces, related, t);
+    for (std::size_t k = 0; k < pieces.size(); ++k) {
+      watch.ask();
       std::optional<std::size_t> inside;
-      const RationalPoint x = clear_point(rest->arrangement, piece, related, inside);
+      RationalPoint x = clear_point(arrangement, pieces[k], related, inside);
       const auto [before, behind] = winding_.beside(TriangleId(t), x);
-      if (!is_boundary(before, behind)) continue;
-      if (!visitor_.piece({rest->arrangement, piece, walls->plane, x, behind != 0})) return false;
+      if (is_boundary(before, behind)) found.pieces.push_back({k, std::move(x), behind != 0});
     }
-    return true;
+    return found;
   }
 
   static bool is_boundary(long before, long behind) { return (before == 0) != (behind == 0); }
 
   // The winding numbers beside a point strictly inside a triangle: those of its patch, if nothing
   // crosses it.
-  std::pair<long, long> beside(std::size_t t, const RationalPoint& x) {
+  std::pair<long, long> beside(std::size_t t, const RationalPoint& x) const {
     if (patches_.is_crossed[t]) return winding_.beside(TriangleId(t), x);
-    std::optional<std::pair<long, long>>& known = beside_[patches_.patch[t]];
-    if (!known) known = winding_.beside(TriangleId(t), x);
-    return *known;
+    return beside_[patches_.patch[t]].get([&] { return winding_.beside(TriangleId(t), x); });
   }
 
-  // One without area adds nothing.
-  bool whole_triangle(std::size_t t) {
-    std::optional<std::pair<long, long>>& known = beside_[patches_.patch[t]];
-    if (!known) {
-      const std::optional<RationalPoint> x = inside_of(t);
-      if (!x) return true;
-      known = winding_.beside(TriangleId(t), *x);
+  // Whether it looks out, if it is in the boundary.
+  std::optional<bool> whole_triangle(std::size_t t) const {
+    const auto [before, behind] =
+        beside_[patches_.patch[t]].get([&] { return beside_patch_of(t); });
+    return is_boundary(before, behind) ? std::optional(behind != 0) : std::nullopt;
+  }
+
+  // Asked of a triangle with an area; without one, a patch bounds nothing.
+  std::pair<long, long> beside_patch_of(std::size_t t) const {
+    if (const auto x = inside_of(t)) return winding_.beside(TriangleId(t), *x);
+    for (std::size_t other = 0; other < patches_.patch.size(); ++other) {
+      if (patches_.patch[other] != patches_.patch[t]) continue;
+      if (const auto x = inside_of(other)) return winding_.beside(TriangleId(other), *x);
     }
-    const auto [before, behind] = *known;
-    if (is_boundary(before, behind)) visitor_.whole(TriangleId(t), behind != 0);
-    return true;
+    return {0, 0};
   }
 
   // Its centroid; nothing for a triangle without area.
@@ -105,44 +129,41 @@ class Walk {
   }
 
   // Nothing crosses the triangle: its patch has the same winding numbers everywhere.
-  bool plain_triangle(std::size_t t, const LaidSurface::Walls& walls, PlanePieces& rest) {
+  Found plain_triangle(std::size_t t, Found found) const {
+    auto& [arrangement, pieces] = *found.rest;
     const auto inside_of = [&](const ConvexPiece<3>& piece) {
-      return rest.arrangement.point(interior_of(rest.arrangement, piece, 0));
+      return arrangement.point(interior_of(arrangement, piece, 0));
     };
-    const auto [before, behind] = beside(t, inside_of(rest.pieces.front()));
-    if (!is_boundary(before, behind)) return true;
-    for (const ConvexPiece<3>& piece : rest.pieces) {
-      watch_.ask();
-      if (!visitor_.piece({rest.arrangement, piece, walls.plane, inside_of(piece), behind != 0})) {
-        return false;
-      }
+    const auto [before, behind] = beside(t, inside_of(pieces.front()));
+    if (!is_boundary(before, behind)) return {};
+    for (std::size_t k = 0; k < pieces.size(); ++k) {
+      found.pieces.push_back({k, inside_of(pieces[k]), behind != 0});
     }
-    return true;
+    return found;
   }
 
   // (2)
-  bool facet(UnionBoundary::FacetId f) {
-    auto rest = union_.rest(f);
-    if (!rest) return true;
-    const Halfspace& plane = union_.plane(f);
-    const auto related = surface_.relate(plane, union_.box(f), {}, std::nullopt);
-    surface_.cut(rest->arrangement, rest->pieces, related, 0);
+  Found facet(UnionBoundary::FacetId f, const Watch& watch) const {
+    Found found{{}, union_.rest(f), &union_.plane(f)};
+    if (!found.rest) return {};
+    auto& [arrangement, pieces] = *found.rest;
+    const auto related = surface_.relate(*found.plane, union_.box(f), {}, std::nullopt);
+    surface_.cut(arrangement, pieces, related, 0);
     const bool is_plain = related.crossing.empty() && related.coplanar.empty();
     std::optional<long> outside;
-    for (const ConvexPiece<3>& piece : rest->pieces) {
-      watch_.ask();
+    for (std::size_t k = 0; k < pieces.size(); ++k) {
+      watch.ask();
       std::optional<std::size_t> inside;
-      const RationalPoint x = clear_point(rest->arrangement, piece, related, inside);
-      if (!is_plain || !outside) outside = winding_before(plane, x, inside);
-      if (*outside == 0) continue;
-      if (!visitor_.piece({rest->arrangement, piece, plane, x, false})) return false;
+      RationalPoint x = clear_point(arrangement, pieces[k], related, inside);
+      if (!is_plain || !outside) outside = winding_before(*found.plane, x, inside);
+      if (*outside != 0) found.pieces.push_back({k, std::move(x), false});
     }
-    return true;
+    return found;
   }
 
   // The winding number on the side that the plane faces.
   long winding_before(const Halfspace& plane, const RationalPoint& x,
-                      std::optional<std::size_t> coplanar) {
+                      std::optional<std::size_t> coplanar) const {
     if (!coplanar) {
       const std::optional<long> number = winding_(x);
       if (!number) throw Error(ErrorCode::Internal, "a point off the surface lies on it");
@@ -156,21 +177,20 @@ class Walk {
   LaidSurface surface_;
   const Winding& winding_;
   Patches patches_;
-  std::vector<std::optional<std::pair<long, long>>> beside_;  // by patch, once it is known
+  std::vector<Lazy<std::pair<long, long>>> beside_;  // by patch
   UnionBoundary union_;
   Holders holders_;
   const BoundaryVisitor& visitor_;
   bool whole_triangles_;
-  const Watch& watch_;
-  std::size_t done_ = 0, steps_ = 0;
 };
 
 }  // namespace
 
 void visit_uncovered_boundary(const Surface& surface, const Winding& winding,
                               std::span<const ConvexPart> parts, long exponent,
-                              const BoundaryVisitor& visitor, const Watch& watch) {
-  Walk(surface, winding, parts, exponent, visitor, watch).run();
+                              const BoundaryVisitor& visitor, const Watch& watch,
+                              std::size_t jobs) {
+  Walk(surface, winding, parts, exponent, visitor, watch, jobs).run(watch, jobs);
 }
 
 long common_exponent(const Surface& surface, std::span<const ConvexPart> parts) {

@@ -32,10 +32,11 @@ struct BoundaryVisitor {
   std::function<void(TriangleId triangle, bool looks_out)> whole = {};
 };
 
+/// Pieces are found on up to `jobs` threads, and visited one after another in the same order.
 /// @throws Error Stopped when the watch ends the call.
 void visit_uncovered_boundary(const Surface& surface, const Winding& winding,
                               std::span<const ConvexPart> parts, long exponent,
-                              const BoundaryVisitor& visitor, const Watch& watch);
+                              const BoundaryVisitor& visitor, const Watch& watch, std::size_t jobs);
 
 /// common_exponent() of the surface and the parts.
 [[nodiscard]] long common_exponent(const Surface& surface, std::span<const ConvexPart> parts);

@@ -98,7 +98,7 @@ RationalPoint weighted_mean(const std::vector<RationalPoint>& corners, unsigned 
 std::optional<UncoveredSolid> find_uncovered_solid(const Surface& surface, const Winding& winding,
                                                    std::span<const ConvexPart> parts,
                                                    const SurfaceCoverage& coverage,
-                                                   const Watch& watch) {
+                                                   const Watch& watch, std::size_t jobs) {
   const long exponent = common_exponent(surface, parts);
   const WitnessSearch search(winding, parts, exponent);
   // (1) Beside an uncovered piece of a triangle the solid is uncovered, too: this is cheap, and
@@ -127,34 +127,35 @@ std::optional<UncoveredSolid> find_uncovered_solid(const Surface& surface, const
     found = search.beside(inside, piece.looks_out ? IntegerVector3(-n) : n);
     return false;
   };
-  visit_uncovered_boundary(surface, winding, parts, exponent, {visit}, watch);
+  visit_uncovered_boundary(surface, winding, parts, exponent, {visit}, watch, jobs);
   return found;
 }
 
 Measured uncovered_volume(const Surface& surface, const Winding& winding,
                           std::span<const ConvexPart> parts, long precision, bool exact,
-                          const Watch& watch) {
+                          const Watch& watch, std::size_t jobs) {
   if (surface.points.size() == 0) {
     return {Enclosure(precision), exact ? std::optional<Rational>(0) : std::nullopt};
   }
   const long exponent = common_exponent(surface, parts);
   const auto add_boundary = [&](SixVolumes& sum) {
     const auto visit = [&](const SolidPiece& p) {
-      sum.add(p.arrangement, std::span(&p.piece, 1), p.looks_out);
+      sum.add(sum.term(p.arrangement, std::span(&p.piece, 1), p.looks_out));
       return true;
     };
     const auto add_whole = [&](TriangleId t, bool looks_out) {
       const auto& [a, b, c] = surface.triangles[t.index()];
-      sum.add({surface.points[a], surface.points[b], surface.points[c]}, looks_out);
+      sum.add(sum.term({surface.points[a], surface.points[b], surface.points[c]}, looks_out));
     };
-    visit_uncovered_boundary(surface, winding, parts, exponent, {visit, add_whole}, watch);
+    visit_uncovered_boundary(surface, winding, parts, exponent, {visit, add_whole}, watch, jobs);
   };
   return measure_inside(bounding_box(surface.points).middle(), precision, exact, add_boundary);
 }
 
 // The rest of the solid outside of no part.
-Measured solid_volume(const Surface& surface, long precision, bool exact, const Watch& watch) {
-  return uncovered_volume(surface, Winding(surface), {}, precision, exact, watch);
+Measured solid_volume(const Surface& surface, long precision, bool exact, const Watch& watch,
+                      std::size_t jobs) {
+  return uncovered_volume(surface, Winding(surface), {}, precision, exact, watch, jobs);
 }
 
 }  // namespace convexact

@@ -44,8 +44,8 @@ class UnionBoundary {
   const ScaledPoints& points(FacetId f) const { return solids_[f.part].vertices; }
   NearBox box(FacetId f) const;
   /// The solids that hold each of the points. @throws Error Stopped when the watch ends the call.
-  Holders holders(const ScaledPoints& points, const Watch& watch) const {
-    return Holders(points, solids_, tree_, watch);
+  Holders holders(const ScaledPoints& points, const Watch& watch, std::size_t jobs) const {
+    return Holders(points, solids_, tree_, watch, jobs);
   }
 
   /// The pieces of a facet, in whole_facet(), that bound the union; nothing if there are none.

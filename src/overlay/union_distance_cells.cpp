@@ -12,6 +12,7 @@
 #include "overlay/union_distance_near.hpp"
 #include "overlay/union_distance_triangles.hpp"
 #include "surface/patches.hpp"
+#include "task/parallel.hpp"
 
 namespace convexact {
 namespace {
@@ -43,41 +44,57 @@ struct ByCellBound {
   }
 };
 
+// Sites and cells come in batches: those of one are looked at with the lower bound that there was
+// before it, on any number of threads, and kept one after another.
 class CellSearch {
  public:
   CellSearch(const NearTriangles& triangles, const NearFrame& frame, const Winding* winding,
-             double gap)
-      : triangles_(triangles), frame_(frame), winding_(winding), gap_(gap) {}
+             double gap, const Watch& watch, std::size_t jobs)
+      : triangles_(triangles),
+        frame_(frame),
+        winding_(winding),
+        gap_(gap),
+        watch_(watch),
+        jobs_(jobs) {}
 
-  // A corner of cells in the part, which may be the farthest point so far.
-  std::uint32_t add_site(const Point& y, std::uint32_t part) {
-    sites_.push_back({y, triangles_.nearest(y), part, {}});
-    Site& site = sites_.back();
-    if (site.surface.distance.low - kCellError > lower_ && is_outside(site)) {
-      lower_ = site.surface.distance.low - kCellError;
-      farthest_ = static_cast<std::uint32_t>(sites_.size() - 1);
-    }
-    return static_cast<std::uint32_t>(sites_.size() - 1);
+  // Corners of cells in the part, which may be the farthest points so far. Returns the first of
+  // their numbers, which ascend.
+  std::uint32_t add_sites(std::span<const Point> points, std::uint32_t part) {
+    const auto first = static_cast<std::uint32_t>(sites_.size());
+    in_batches<Site>(
+        points.size(), [&](std::size_t k) { return site_at(points[k], part); },
+        [&](Site site) { (void)keep(std::move(site)); });
+    return first;
   }
 
-  void add_cell(const std::array<std::uint32_t, 4>& corners, std::uint32_t size) {
-    DistanceCell cell{corners, size, 0};
-    cell.upper = upper_bound(cell);
-    if (cell.upper <= lower_ + gap_) {
-      dropped_ = std::max(dropped_, cell.upper);
-    } else {
-      queue_.push(cell);
-    }
+  void add_cells(std::span<const DistanceCell> cells) {
+    in_batches<Judged>(
+        cells.size(),
+        [&](std::size_t k) {
+          std::array<const Site*, 4> corners{};
+          for (std::uint32_t c = 0; c < cells[k].size; ++c) {
+            corners[c] = &sites_[cells[k].corners[c]];
+          }
+          return judge(cells[k], std::span(corners).first(cells[k].size));
+        },
+        [&](Judged judged) { keep(std::move(judged)); });
   }
 
   // Bisects cells until the bounds are close, or kReachPieces are spent.
-  void run(const Watch& watch) {
-    for (std::size_t done = 0; done < kReachPieces && !queue_.empty(); ++done) {
-      watch.at(done, kReachPieces);
-      const DistanceCell cell = queue_.top();
-      if (cell.upper <= lower_ + gap_ || cell.size == 1) return;
-      queue_.pop();
-      bisect(cell);
+  void run() {
+    std::vector<DistanceCell> cells;
+    for (std::size_t done = 0; done < kReachPieces; done += cells.size()) {
+      watch_.at(done, kReachPieces);
+      cells.clear();
+      while (cells.size() < kBatch && !queue_.empty() && queue_.top().size > 1 &&
+             queue_.top().upper > lower_ + gap_) {
+        cells.push_back(queue_.top());
+        queue_.pop();
+      }
+      if (cells.empty()) return;
+      in_batches<Halves>(
+          cells.size(), [&](std::size_t k) { return bisect(cells[k]); },
+          [&](Halves halves) { keep(std::move(halves)); });
     }
   }
 
@@ -89,7 +106,71 @@ class CellSearch {
   const Site& farthest() const { return sites_[farthest_]; }
 
  private:
-  bool is_outside(Site& site) {
+  // Not one for each thread: bounds must not depend on their number.
+  static constexpr std::size_t kBatch = 64;
+
+  // A cell with its upper bound, and its centroid, which is kept if it is the farthest point.
+  struct Judged {
+    DistanceCell cell;
+    Site center;
+  };
+  struct Halves {
+    Site middle;
+    std::array<Judged, 2> halves;        // The corner at the middle has no number yet:
+    std::array<std::uint32_t, 2> moved;  // it is this one of each.
+  };
+
+  template <class Made, class Make, class Keep>
+  void in_batches(std::size_t count, const Make& make, const Keep& keep_one) {
+    std::vector<std::optional<Made>> made;
+    for (std::size_t first = 0; first < count; first += kBatch) {
+      watch_.ask();
+      made.clear();
+      made.resize(std::min(kBatch, count - first));
+      for_each_in_parallel(made.size(), jobs_,
+                           [&](std::size_t k) { made[k].emplace(make(first + k)); });
+      for (std::optional<Made>& one : made) keep_one(std::move(*one));
+    }
+  }
+
+  Site site_at(const Point& y, std::uint32_t part) const {
+    Site site{y, triangles_.nearest(y), part, {}};
+    if (site.surface.distance.low - kCellError > lower_) (void)is_outside(site);
+    return site;
+  }
+
+  std::uint32_t keep(Site site) {
+    const double distance = site.surface.distance.low - kCellError;
+    sites_.push_back(std::move(site));
+    const auto index = static_cast<std::uint32_t>(sites_.size() - 1);
+    if (distance > lower_ && is_outside(sites_.back())) {
+      lower_ = distance;
+      farthest_ = index;
+    }
+    return index;
+  }
+
+  void keep(Judged judged) {
+    if (judged.center.surface.distance.low - kCellError > lower_) {
+      const std::uint32_t index = keep(std::move(judged.center));
+      if (farthest_ != index) sites_.pop_back();
+    }
+    if (judged.cell.upper <= lower_ + gap_) {
+      dropped_ = std::max(dropped_, judged.cell.upper);
+    } else {
+      queue_.push(judged.cell);
+    }
+  }
+
+  void keep(Halves made) {
+    const std::uint32_t middle = keep(std::move(made.middle));
+    for (std::size_t k = 0; k < 2; ++k) {
+      made.halves[k].cell.corners[made.moved[k]] = middle;
+      keep(std::move(made.halves[k]));
+    }
+  }
+
+  bool is_outside(Site& site) const {
     if (winding_ == nullptr) return true;
     if (!site.is_outside) {
       const std::optional<long> number = (*winding_)(frame_.point(site.y));
@@ -98,28 +179,28 @@ class CellSearch {
     return *site.is_outside;
   }
 
-  // There are three bounds; each is computed only if those before it are not low enough.
-  double upper_bound(const DistanceCell& cell) {
-    const double enough = lower_ + gap_;
+  Judged judge(DistanceCell cell, std::span<const Site* const> corners) const {
     Point middle = Point::Zero();
-    for (std::uint32_t k = 0; k < cell.size; ++k) middle += sites_[cell.corners[k]].y;
+    for (const Site* corner : corners) middle += corner->y;
     middle /= cell.size;
+    Judged judged{cell, site_at(middle, corners[0]->part)};
+    judged.cell.upper = upper_bound(corners, judged.center);
+    return judged;
+  }
+
+  // There are three bounds; each is computed only if those before it are not low enough.
+  double upper_bound(std::span<const Site* const> corners, Site& center) const {
+    const double enough = lower_ + gap_;
     double radius = 0;
-    for (std::uint32_t k = 0; k < cell.size; ++k) {
-      radius = std::max(radius, (sites_[cell.corners[k]].y - middle).norm());
-    }
+    for (const Site* corner : corners) radius = std::max(radius, (corner->y - center.y).norm());
     radius += kCellError;
-    const std::uint32_t part = sites_[cell.corners[0]].part;
-    const std::uint32_t index = add_site(middle, part);
-    Site center = sites_[index];
-    if (farthest_ != index) sites_.pop_back();
     // (1) The distance to the surface differs by at most the radius from that of the centroid.
     double upper = center.surface.distance.high + radius;
     if (upper <= enough) return upper;
     // (2) The distance to one triangle is convex, so it is largest at a corner.
-    upper = std::min(upper, bound_by_triangle(cell, center.surface.triangle));
-    for (std::uint32_t k = 0; k < cell.size && upper > enough; ++k) {
-      upper = std::min(upper, bound_by_triangle(cell, sites_[cell.corners[k]].surface.triangle));
+    upper = std::min(upper, bound_by_triangle(corners, center.surface.triangle));
+    for (std::size_t k = 0; k < corners.size() && upper > enough; ++k) {
+      upper = std::min(upper, bound_by_triangle(corners, corners[k]->surface.triangle));
     }
     if (upper <= enough || is_outside(center)) return upper;
     // (3) The centroid is in the solid, with all points that are nearer to it than the surface. The
@@ -129,25 +210,24 @@ class CellSearch {
     if (upper <= enough) return upper;
     const double share = std::min(0.5, enough / radius * (1 - 0x1p-10));
     std::array<Point, 4> shrunk;
-    for (std::uint32_t k = 0; k < cell.size; ++k) {
-      shrunk[k] = sites_[cell.corners[k]].y * (1 - share) + middle * share;
+    for (std::size_t k = 0; k < corners.size(); ++k) {
+      shrunk[k] = corners[k]->y * (1 - share) + center.y * share;
     }
-    if (triangles_.misses(std::span(shrunk).first(cell.size))) {
+    if (triangles_.misses(std::span(shrunk).first(corners.size()))) {
       upper = std::min(upper, share * radius + kCellError);
     }
     return upper;
   }
 
-  double bound_by_triangle(const DistanceCell& cell, std::uint32_t triangle) const {
+  double bound_by_triangle(std::span<const Site* const> corners, std::uint32_t triangle) const {
     double largest = 0;
-    for (std::uint32_t k = 0; k < cell.size; ++k) {
-      const Point& y = sites_[cell.corners[k]].y;
-      largest = std::max(largest, triangles_.to_triangle(triangle, y).high);
+    for (const Site* corner : corners) {
+      largest = std::max(largest, triangles_.to_triangle(triangle, corner->y).high);
     }
     return largest + kCellError;
   }
 
-  void bisect(const DistanceCell& cell) {
+  Halves bisect(const DistanceCell& cell) const {
     std::uint32_t from = 0, to = 1;
     double longest = -1;
     for (std::uint32_t i = 0; i < cell.size; ++i) {
@@ -162,46 +242,53 @@ class CellSearch {
     }
     const Site& a = sites_[cell.corners[from]];
     const Site& b = sites_[cell.corners[to]];
-    const Point middle = (a.y + b.y) / 2;
-    const std::uint32_t m = add_site(middle, a.part);
-    for (const std::uint32_t gone : {from, to}) {
-      std::array<std::uint32_t, 4> half = cell.corners;
-      half[gone] = m;
-      add_cell(half, cell.size);
-    }
+    const Site middle = site_at((a.y + b.y) / 2, a.part);
+    const auto half = [&](std::uint32_t gone) {
+      std::array<const Site*, 4> corners{};
+      for (std::uint32_t c = 0; c < cell.size; ++c) corners[c] = &sites_[cell.corners[c]];
+      corners[gone] = &middle;
+      return judge(cell, std::span(corners).first(cell.size));
+    };
+    return {middle, {half(from), half(to)}, {from, to}};
   }
 
   const NearTriangles& triangles_;
   const NearFrame& frame_;
   const Winding* winding_;
   double gap_;
+  const Watch& watch_;
+  std::size_t jobs_;
   std::vector<Site> sites_;
   std::priority_queue<DistanceCell, std::vector<DistanceCell>, ByCellBound> queue_;
   double lower_ = 0, dropped_ = 0;
   std::uint32_t farthest_ = 0xffffffffu;  // no site
 };
 
-// The simplices of parts[part]: a fan of tetrahedra from its first vertex to the facets without it,
-// or of triangles to such sides of a polygon.
+// The simplices of a part: a fan of tetrahedra from its first vertex to the facets without it, or
+// of triangles to such sides of a polygon.
 void add_part(CellSearch& search, const NearFrame& frame, const ConvexPart& part,
               std::uint32_t index) {
   const std::vector<RationalPoint>& vertices = part.solid ? part.solid->vertices : part.vertices;
-  std::vector<std::uint32_t> sites;
-  for (const RationalPoint& v : vertices) sites.push_back(search.add_site(frame(v), index));
+  std::vector<Point> points;
+  for (const RationalPoint& v : vertices) points.push_back(frame(v));
+  const std::uint32_t first = search.add_sites(points, index);
+  std::vector<DistanceCell> cells;
   if (part.dimension == 2) {
     for (const auto& [a, b] : FlatFeatures(part).sides) {
-      if (a != 0 && b != 0) search.add_cell({sites[0], sites[a], sites[b], 0}, 3);
+      if (a != 0 && b != 0) cells.push_back({{first, first + a, first + b, 0}, 3, 0});
     }
   } else if (!part.solid) {
-    search.add_cell({sites.front(), sites.back(), 0, 0}, static_cast<std::uint32_t>(sites.size()));
+    const auto size = static_cast<std::uint32_t>(points.size());
+    cells.push_back({{first, first + size - 1, 0, 0}, size, 0});
   } else {
     for (const std::vector<std::uint32_t>& facet : part.solid->facets) {
       if (std::find(facet.begin(), facet.end(), 0u) != facet.end()) continue;
       for (std::size_t k = 1; k + 1 < facet.size(); ++k) {
-        search.add_cell({sites[0], sites[facet[0]], sites[facet[k]], sites[facet[k + 1]]}, 4);
+        cells.push_back({{first, first + facet[0], first + facet[k], first + facet[k + 1]}, 4, 0});
       }
     }
   }
+  search.add_cells(cells);
 }
 
 constexpr long kCellDistanceBits = 64;
@@ -224,7 +311,7 @@ Surface seen_from_outside(const Surface& surface, const Winding* winding, const 
 
 DirectedDistance union_to_surface(std::span<const ConvexPart> parts, const Surface& surface,
                                   const Winding* winding, const Rational& squared_diameter,
-                                  const Watch& watch) {
+                                  const Watch& watch, std::size_t jobs) {
   if (squared_diameter <= 0) throw Error(ErrorCode::InvalidArgument, "a diameter that is not > 0");
   if (surface.triangles.empty()) throw Error(ErrorCode::InvalidArgument, "a surface of nothing");
   const UnionDistance distance(parts);
@@ -234,12 +321,11 @@ DirectedDistance union_to_surface(std::span<const ConvexPart> parts, const Surfa
   const NearTriangles triangles(seen_from_outside(surface, winding, watch), frame);
   // A little less, for the roundings of the bounds.
   const double gap = frame.root_down(squared_diameter) * (1 - 0x1p-10) / kDistanceSteps;
-  CellSearch search(triangles, frame, winding, gap);
+  CellSearch search(triangles, frame, winding, gap, watch, jobs);
   for (std::size_t p = 0; p < parts.size(); ++p) {
-    watch.ask();
     add_part(search, frame, parts[p], static_cast<std::uint32_t>(p));
   }
-  search.run(watch);
+  search.run();
   DirectedDistance result{
       Enclosure(frame.length(search.lower()), frame.length(search.upper()), kCellDistanceBits), {}};
   // Rounding may have moved the site out of its part.

@@ -2,11 +2,12 @@
 #include "convexact/overlay.hpp"
 #include "overlay/six_volumes.hpp"
 #include "overlay/union_boundary.hpp"
+#include "task/parallel.hpp"
 
 namespace convexact {
 
 Measured union_volume(std::span<const ConvexPart> parts, long precision, bool exact,
-                      const Watch& watch) {
+                      const Watch& watch, std::size_t jobs) {
   std::vector<BoundingBox> boxes;
   std::vector<RationalPoint> ends;
   for (const ConvexPart& part : parts) {
@@ -20,11 +21,18 @@ Measured union_volume(std::span<const ConvexPart> parts, long precision, bool ex
   }
   const UnionBoundary boundary(parts, common_exponent(boxes));
   const auto add_boundary = [&](SixVolumes& sum) {
-    std::size_t done = 0;
-    for (const UnionBoundary::FacetId f : boundary.facets()) {
-      watch.at(done++, boundary.facets().size());
-      if (auto rest = boundary.rest(f)) sum.add(rest->arrangement, rest->pieces, true);
-    }
+    using Term = std::optional<SixVolumes::Term>;
+    take_in_order(
+        boundary.facets().size(), jobs, watch,
+        [&](std::size_t k, const Watch&) -> Term {
+          auto rest = boundary.rest(boundary.facets()[k]);
+          if (!rest) return {};
+          return sum.term(rest->arrangement, rest->pieces, true);
+        },
+        [&](std::size_t, Term term) {
+          if (term) sum.add(std::move(*term));
+          return true;
+        });
   };
   return measure_inside(bounding_box(ends).middle(), precision, exact, add_boundary);
 }

@@ -21,6 +21,7 @@
 #include "parts/request_rules.hpp"
 #include "parts/stored_part.hpp"
 #include "solid/stage_log.hpp"
+#include "task/parallel.hpp"
 
 namespace convexact {
 namespace {
@@ -83,8 +84,13 @@ class Decomposer {
     }
     if (cuts(request_)) find_planes_between(stored);
     if (request_.measures != PartMeasures::None) {
-      made_.measures = measure_volumes(made_.surface, stored, request_.measures,
-                                       request_.exact_volumes, log_, cuts(request_));
+      made_.measures = measure_volumes(made_.surface, stored,
+                                       {.wanted = request_.measures,
+                                        .exact = request_.exact_volumes,
+                                        .hold_solid = cuts(request_),
+                                        .with_solid = false,
+                                        .jobs = jobs_of(request_)},
+                                       log_);
     } else {
       log_.skip("union's volume", "not requested");
       log_.skip("solid's volumes", "not requested");
@@ -245,7 +251,8 @@ class Decomposer {
                   "leave the excess out");
     }
     log_.run(kStage, [&] {
-      volume_limit_.emplace(made_.surface, *request_.max_excess, log_.watch(kStage));
+      volume_limit_.emplace(made_.surface, *request_.max_excess, log_.watch(kStage),
+                            jobs_of(request_));
     });
   }
 
@@ -284,6 +291,7 @@ class Decomposer {
                                              .every_merge = request_.every_merge,
                                              .costs = request_.for_trace,
                                              .further = request_.for_tree,
+                                             .jobs = jobs_of(request_),
                                              .watch = watch});
     } else {
       SplitOptions options = split_options(watch);

@@ -13,19 +13,20 @@ using Farther = DecompositionReach::Farther;
 // inside.
 std::vector<Farther> farther_than_zero(const Decomposition& made,
                                        const std::vector<ConvexPart>& stored,
-                                       std::vector<Farther> farther, const StageWatch& quiet,
-                                       const Watch& watch) {
+                                       std::vector<Farther> farther, std::size_t jobs,
+                                       const StageWatch& quiet, const Watch& watch) {
   const Rational most = made.squared_diameter() * 4 * kLeastReach * kLeastReach;
   std::vector<Farther> beyond = std::move(farther);
   std::erase_if(beyond, [](const Farther& x) { return x.reach.reach != Reach::Beyond; });
   farther.clear();
-  if (beyond.empty() && exact_excess(made.surface, stored, quiet) == Rational(0)) return farther;
+  if (beyond.empty() && exact_excess(made.surface, stored, quiet, jobs) == Rational(0))
+    return farther;
   auto next = beyond.begin();
   for (std::size_t k = 0; k < stored.size(); ++k) {
     watch.at(k, stored.size());
     if (next != beyond.end() && next->part == k) {
       farther.push_back(std::move(*next++));
-    } else if (exact_excess(made.surface, {stored[k]}, quiet) != Rational(0)) {
+    } else if (exact_excess(made.surface, {stored[k]}, quiet, jobs) != Rational(0)) {
       farther.push_back({k, {Reach::Undecided, {}, SquaredBracket{Rational(0), most}}});
     }
   }
@@ -59,7 +60,7 @@ std::vector<Farther> farther_parts(const Decomposition& made, const std::vector<
     if (reach.reach != Reach::Within) farther.push_back({k, std::move(reach)});
   }
   if (made.reach->squared_distance > 0) return farther;
-  return farther_than_zero(made, stored, std::move(farther), quiet, watch);
+  return farther_than_zero(made, stored, std::move(farther), jobs, quiet, watch);
 }
 
 }  // namespace convexact

@@ -36,13 +36,13 @@ Measured nothing(bool exact) {
 }  // namespace
 
 DecompositionMeasures measure_volumes(const Surface& surface, const std::vector<ConvexPart>& parts,
-                                      PartMeasures wanted, bool exact, StageLog& log,
-                                      bool hold_solid) {
+                                      const VolumesAsked& asked, StageLog& log) {
+  const bool exact = asked.exact;
   DecompositionMeasures found;
-  if (wanted == PartMeasures::All) {
+  if (asked.wanted == PartMeasures::All) {
     const Watch watch = log.watch("union's volume");
     log.run("union's volume", [&] {
-      found.union_volume = union_volume(parts, kMeasureBits, exact, watch);
+      found.union_volume = union_volume(parts, kMeasureBits, exact, watch, asked.jobs);
       found.overlap_volume = combine(volume_of_parts(parts, exact, watch), -1, *found.union_volume);
     });
     const auto solids = std::count_if(
@@ -55,20 +55,18 @@ DecompositionMeasures measure_volumes(const Surface& surface, const std::vector<
     log.skip("solid's volumes", "the faces of the input do not close");
     return found;
   }
-  if (hold_solid && wanted == PartMeasures::Uncovered) {
+  if (asked.hold_solid && !asked.with_solid && asked.wanted == PartMeasures::Uncovered) {
     log.skip("solid's volumes", "the parts are proven to hold the solid");
     found.uncovered_volume = nothing(exact);
     return found;
   }
   log.run("solid's volumes", [&] {
     const Watch watch = log.watch("solid's volumes");
-    found.solid_volume = solid_volume(surface, kMeasureBits, exact, watch);
-    if (hold_solid) {
-      found.uncovered_volume = nothing(exact);
-    } else {
-      found.uncovered_volume =
-          uncovered_volume(surface, Winding(surface), parts, kMeasureBits, exact, watch);
-    }
+    found.solid_volume = solid_volume(surface, kMeasureBits, exact, watch, asked.jobs);
+    found.uncovered_volume = asked.hold_solid
+                                 ? nothing(exact)
+                                 : uncovered_volume(surface, Winding(surface), parts, kMeasureBits,
+                                                    exact, watch, asked.jobs);
   });
   if (found.union_volume) {
     found.excess_volume =
@@ -78,18 +76,21 @@ DecompositionMeasures measure_volumes(const Surface& surface, const std::vector<
 }
 
 std::optional<Rational> exact_excess(const Surface& surface, const std::vector<ConvexPart>& parts,
-                                     const StageWatch& watch) {
+                                     const StageWatch& watch, std::size_t jobs) {
   const bool are_solid = std::all_of(parts.begin(), parts.end(),
                                      [](const ConvexPart& part) { return part.solid.has_value(); });
   if (!are_solid) return {};
   StageLog within(watch);
-  return measure_volumes(surface, parts, PartMeasures::All, true, within).excess_volume->exact;
+  const VolumesAsked asked{.wanted = PartMeasures::All, .exact = true, .jobs = jobs};
+  return measure_volumes(surface, parts, asked, within).excess_volume->exact;
 }
 
-VolumeLimit::VolumeLimit(const Surface& surface, Rational share, const Watch& watch)
+VolumeLimit::VolumeLimit(const Surface& surface, Rational share, const Watch& watch,
+                         std::size_t jobs)
     : surface_(surface),
       share_(std::move(share)),
-      solid_(solid_volume(surface, kMeasureBits, false, watch).bounds) {
+      jobs_(jobs),
+      solid_(solid_volume(surface, kMeasureBits, false, watch, jobs).bounds) {
   if (solid_.low() > 0) return;
   const Rational& exact = exact_solid(watch);
   if (exact == 0) {
@@ -100,7 +101,8 @@ VolumeLimit::VolumeLimit(const Surface& surface, Rational share, const Watch& wa
 }
 
 const Rational& VolumeLimit::exact_solid(const Watch& watch) const {
-  return exact_solid_.get([&] { return *solid_volume(surface_, kMeasureBits, true, watch).exact; });
+  return exact_solid_.get(
+      [&] { return *solid_volume(surface_, kMeasureBits, true, watch, jobs_).exact; });
 }
 
 DecompositionExcess VolumeLimit::excess_of(const std::vector<ConvexPart>& parts,

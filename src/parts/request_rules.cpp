@@ -2,6 +2,7 @@
 #include "parts/request_rules.hpp"
 
 #include "convexact/error.hpp"
+#include "task/parallel.hpp"
 
 namespace convexact {
 
@@ -19,6 +20,7 @@ bool has_clusters(const DecomposeRequest& request) {
 
 void require_sensible(const DecomposeRequest& request) {
   if (request.max_parts && *request.max_parts == 0) reject_argument("at least one part is needed");
+  require_threads(request.jobs);
   const DecomposeRequest plain;
   if (request.method == DecomposeMethod::Acd) {
     if (request.measure != plain.measure) {

@@ -2,17 +2,11 @@
 // request_rules.hpp - what requests of decompositions mean together, and which are refused.
 #pragma once
 #include "convexact/decompose.hpp"
-#include "task/parallel.hpp"
 
 namespace convexact {
 
 [[nodiscard]] inline bool cuts(const DecomposeRequest& request) {
   return request.method == DecomposeMethod::Cut;
-}
-
-/// Threads.
-[[nodiscard]] inline std::size_t jobs_of(const DecomposeRequest& request) {
-  return request.jobs.value_or(all_cores());
 }
 
 /// Whether parts must be within the distance.

@@ -69,7 +69,7 @@ bool satisfies_all(const std::vector<Halfspace>& facets, const RationalPoint& x)
 
 std::variant<Polytope, NotSolid> queried_solid(const Shape& shape, std::uint64_t seed) {
   StageLog log;
-  SolidOutcome outcome = make_solid(shape, seed, true, log, false);
+  SolidOutcome outcome = make_solid(shape, {.seed = seed, .wants_dual = false}, log);
   if (auto* reason = std::get_if<NotSolid>(&outcome)) return std::move(*reason);
   return std::get<Solid>(std::move(outcome)).polytope;
 }

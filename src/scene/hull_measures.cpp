@@ -64,7 +64,7 @@ HullReport measure_hull(const Shape& shape, const HullRequest& request) {
     throw Error(ErrorCode::InvalidArgument, "digits: expected 1 to " + std::to_string(kMostDigits));
   }
   StageLog log(request.watch);
-  SolidOutcome outcome = make_solid(shape, request.seed, true, log, false);
+  SolidOutcome outcome = make_solid(shape, {.seed = request.seed, .wants_dual = false}, log);
   if (const auto* reason = std::get_if<NotSolid>(&outcome)) return *reason;
   auto& made = std::get<Solid>(outcome);
   const BoundingBox box = bounding_box(made.polytope.vertices);

@@ -15,6 +15,7 @@
 #include "scene/search_stage.hpp"
 #include "simplify/replay.hpp"
 #include "simplify/step_verification.hpp"
+#include "task/parallel.hpp"
 
 namespace convexact {
 namespace {
@@ -154,6 +155,7 @@ void require_sensible(const SimplifyRequest& request) {
     throw Error(ErrorCode::InvalidArgument,
                 "a measure whose growth is limited needs a limit: give the growth as well");
   }
+  require_threads(request.jobs);
   if (request.faces && *request.faces < 4) {
     throw Error(ErrorCode::InvalidArgument, "no bounded solid has fewer than 4 faces");
   }
@@ -183,7 +185,8 @@ std::variant<std::unique_ptr<RunInput>, NotSolid> prepare_run(const Shape& shape
   auto input = std::make_unique<RunInput>(shape);
   const auto* points = std::get_if<PointSet>(&shape);
   if (is_lean(shape, request)) {
-    auto outcome = make_hull(*points, request.seed, false, log);
+    auto outcome =
+        make_hull(*points, {.seed = request.seed, .check = false, .jobs = jobs_of(request)}, log);
     if (const auto* reason = std::get_if<NotSolid>(&outcome)) return *reason;
     input->hull = std::get<Hull>(std::move(outcome));
     log.skip("Chebyshev center", "any interior point serves this engine");
@@ -192,7 +195,11 @@ std::variant<std::unique_ptr<RunInput>, NotSolid> prepare_run(const Shape& shape
     input->dual.emplace(log.run("dual", [&] { return FastDual::of(*input->hull, *points); }));
     return input;
   }
-  SolidOutcome outcome = make_solid(shape, request.seed, request.verify != VerifyLevel::None, log);
+  SolidOutcome outcome = make_solid(shape,
+                                    {.seed = request.seed,
+                                     .check = request.verify != VerifyLevel::None,
+                                     .jobs = jobs_of(request)},
+                                    log);
   if (const auto* reason = std::get_if<NotSolid>(&outcome)) return *reason;
   input->solid = std::get<Solid>(std::move(outcome));
   input->center = find_center(*input->solid, request, log);
@@ -218,6 +225,7 @@ SimplifyOptions options_of(const SimplifyRequest& request, const RunInput& input
   options.verify = request.verify;
   // The proof of a run by mean width shows its removals only.
   options.keep_evaluations = request.record && request.cost != CostMeasure::MeanWidth;
+  options.jobs = jobs_of(request);
   options.watch = request.watch.of(stage::kSimplify);
   return options;
 }

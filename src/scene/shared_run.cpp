@@ -4,11 +4,13 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <mutex>
 #include <set>
 #include <utility>
 
 #include "convexact/error.hpp"
 #include "number/precision.hpp"
+#include "task/parallel.hpp"
 
 namespace convexact {
 
@@ -73,7 +75,11 @@ class SharedQueue {
       : parts_(parts), options_(options), place_(parts.size()), class_(parts.size()) {}
 
   bool empty() const { return queue_.empty(); }
-  void find_next(std::size_t part);
+  void find_next(std::size_t part) {
+    if (parts_[part]->find_next()) add(part);
+  }
+  // The next removal of a part, which has been found.
+  void add(std::size_t part);
   std::size_t cheapest();
   // After cheapest(): why the next removals of several parts count as equally cheap.
   const TieEvidence& evidence() const { return evidence_; }
@@ -109,10 +115,8 @@ class SharedQueue {
   TieEvidence evidence_;
 };
 
-void SharedQueue::find_next(std::size_t part) {
-  PartRun& run = *parts_[part];
-  if (!run.find_next()) return;
-  const PartRun::Bounds bounds = run.cost_bounds();
+void SharedQueue::add(std::size_t part) {
+  const PartRun::Bounds bounds = parts_[part]->cost_bounds();
   place_[part] = queue_.insert({bounds.low, part, bounds.high}).first;
   class_[part] = {++classes_};
 }
@@ -179,8 +183,10 @@ SharedEnd run_shared(std::span<const std::unique_ptr<PartRun>> parts,
   std::size_t left = 0;
   for (const auto& part : parts) left += part->left();
   const std::size_t at_start = left;
+  std::mutex mutex;  // of `left`, and of what is told
   const auto make = [&](PartRun& part) {
     part.make();
+    const std::lock_guard lock(mutex);
     --left;
     options.watch.report(at_start - left, at_start - options.total_faces);
   };
@@ -191,12 +197,15 @@ SharedEnd run_shared(std::span<const std::unique_ptr<PartRun>> parts,
   // or above the budget.
   const bool can_run_ahead = options.costs_never_fall && !options.max_growth;
   const std::size_t most = options.total_faces - kLeastFaces * (parts.size() - 1);
-  for (const auto& part : parts) {
-    while (can_run_ahead && part->left() > most && part->find_next()) make(*part);
-  }
+  for_each_in_parallel(can_run_ahead ? parts.size() : 0, options.jobs, [&](std::size_t k) {
+    while (parts[k]->left() > most && parts[k]->find_next()) make(*parts[k]);
+  });
   // (2) The cheapest removal of all.
-  for (std::size_t part = 0; left > options.total_faces && part < parts.size(); ++part) {
-    queue.find_next(part);
+  std::vector<char> has_next(parts.size(), 0);  // threads write their own
+  for_each_in_parallel(left > options.total_faces ? parts.size() : 0, options.jobs,
+                       [&](std::size_t k) { has_next[k] = parts[k]->find_next() ? 1 : 0; });
+  for (std::size_t part = 0; part < parts.size(); ++part) {
+    if (has_next[part] != 0) queue.add(part);
   }
   while (left > options.total_faces) {
     options.watch.ask();

@@ -73,7 +73,8 @@ struct SharedOptions {
   std::optional<Enclosure> measure = {};
   bool costs_never_fall = false;  ///< Of one part, as those by volume.
   StopReason when_stuck = StopReason::AllUnbounded;
-  Watch watch = {};  ///< Told after each removal of those made and of those that lead there.
+  std::size_t jobs = 1;  ///< Threads, on which nothing depends, for what one part does alone.
+  Watch watch = {};      ///< Told after each removal of those made and of those that lead there.
 };
 
 /// How a shared run went.

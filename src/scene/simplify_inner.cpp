@@ -113,7 +113,8 @@ InnerResult finish(const PointSet& points, const Hull& hull, InnerResult result,
 InnerOutcome simplify_inner(const PointSet& points, const InnerRequest& request) {
   require_sensible(request);
   StageLog log(request.watch);
-  auto outcome = make_hull(points, request.seed, request.verify == VerifyLevel::Full, log);
+  auto outcome =
+      make_hull(points, {.seed = request.seed, .check = request.verify == VerifyLevel::Full}, log);
   if (const auto* reason = std::get_if<NotSolid>(&outcome)) return *reason;
   const Hull& hull = std::get<Hull>(outcome);
   InnerResult result;

@@ -7,6 +7,7 @@
 #include "convexact/simplify.hpp"
 #include "number/precision.hpp"
 #include "scene/part_runs.hpp"
+#include "task/parallel.hpp"
 
 namespace convexact {
 namespace {
@@ -34,6 +35,7 @@ void require_sensible_scene(std::size_t parts, const SceneRequest& request) {
 SimplifyRequest part_request(const SceneRequest& request, std::size_t part) {
   SimplifyRequest own = request.each;
   if (!request.keep.empty()) own.keep = request.keep[part];
+  own.jobs = 1;  // the parts themselves take turns
   return own;
 }
 
@@ -44,17 +46,34 @@ struct PreparedPart {
   std::optional<InputMeasures> before;
 };
 
+// The parts are told of on their way together, not of their stages.
+constexpr const char *kPrepare = "parts", *kFinish = "proofs of parts";
+
 std::variant<std::vector<PreparedPart>, NotSolidPart> prepare_parts(std::span<const Shape> shapes,
-                                                                    const SceneRequest& request) {
-  std::vector<PreparedPart> parts;
-  for (std::size_t k = 0; k < shapes.size(); ++k) {
-    PreparedPart& part = parts.emplace_back(
-        PreparedPart{part_request(request, k), StageLog(request.each.watch), nullptr, {}});
+                                                                    const SceneRequest& request,
+                                                                    StageLog& log) {
+  using Prepared = std::variant<PreparedPart, NotSolid>;
+  const auto prepare = [&](std::size_t k, const Watch&) -> Prepared {
+    PreparedPart part{
+        part_request(request, k), StageLog(request.each.watch.without_reports()), nullptr, {}};
     auto prepared = prepare_run(shapes[k], part.request, part.log);
-    if (auto* reason = std::get_if<NotSolid>(&prepared)) return NotSolidPart{k, *reason};
+    if (auto* reason = std::get_if<NotSolid>(&prepared)) return std::move(*reason);
     part.input = std::get<std::unique_ptr<RunInput>>(std::move(prepared));
     part.before = measure_input(*part.input, part.request, part.log);
-  }
+    return part;
+  };
+  std::vector<PreparedPart> parts;
+  std::optional<NotSolidPart> flat;
+  const auto take = [&](std::size_t k, Prepared prepared) {
+    if (auto* reason = std::get_if<NotSolid>(&prepared)) {
+      flat = NotSolidPart{k, std::move(*reason)};
+      return false;
+    }
+    parts.push_back(std::get<PreparedPart>(std::move(prepared)));
+    return true;
+  };
+  take_in_order(shapes.size(), jobs_of(request.each), log.watch(kPrepare), prepare, take, 1);
+  if (flat) return std::move(*flat);
   return parts;
 }
 
@@ -64,6 +83,7 @@ SharedOptions options_of(const SceneRequest& request, const std::vector<Prepared
                         .compare = each.compare,
                         .max_growth = each.max_growth,
                         .costs_never_fall = each.cost == CostMeasure::Volume,
+                        .jobs = jobs_of(each),
                         .watch = each.watch.of(stage::kSimplify)};
   if (each.max_growth) {
     options.measure = Enclosure(kMeasureBits);
@@ -139,11 +159,11 @@ SceneOutcome simplify_scene(std::span<const Shape> shapes, const SceneRequest& r
   SimplifyRequest whole = request.each;
   whole.faces = request.total_faces;
   require_sensible(whole);
-  auto prepared = prepare_parts(shapes, request);
+  StageLog log(request.each.watch);
+  auto prepared = prepare_parts(shapes, request, log);
   if (auto* flat = std::get_if<NotSolidPart>(&prepared)) return *flat;
   auto& parts = std::get<std::vector<PreparedPart>>(prepared);
 
-  StageLog log(request.each.watch);
   SceneResult scene;
   std::vector<std::unique_ptr<PartRun>> runs;
   std::vector<ScenePartRun*> ends;
@@ -161,13 +181,17 @@ SceneOutcome simplify_scene(std::span<const Shape> shapes, const SceneRequest& r
     }
     return run_shared(runs, options_of(request, parts));
   });
-  for (std::size_t k = 0; k < parts.size(); ++k) {
+  const auto finish = [&](std::size_t k, const Watch&) {
     PreparedPart& part = parts[k];
     RunEnd own = ends[k]->finish(end.stop, part.log);
     own.growth_bits = end.growth_bits;
-    scene.parts.push_back(
-        finish_run(*part.input, std::move(*part.before), std::move(own), part.request, part.log));
-  }
+    return finish_run(*part.input, std::move(*part.before), std::move(own), part.request, part.log);
+  };
+  const auto take = [&](std::size_t, SimplifyResult result) {
+    scene.parts.push_back(std::move(result));
+    return true;
+  };
+  take_in_order(parts.size(), jobs_of(request.each), log.watch(kFinish), finish, take, 1);
   scene.order = std::move(end.order);
   scene.stop = end.stop;
   scene.growth_bits = end.growth_bits;

@@ -14,13 +14,12 @@ void require_proven(bool proven, const char* claim) {
   if (!proven) throw Error(ErrorCode::Internal, std::string("the certificate fails: ") + claim);
 }
 
-SolidOutcome solid_of_points(const PointSet& points, std::uint64_t seed, bool check, StageLog& log,
-                             bool wants_dual, HullObserver* observer) {
-  auto outcome = make_hull(points, seed, check, log, observer);
+SolidOutcome solid_of_points(const PointSet& points, const SolidOptions& options, StageLog& log) {
+  auto outcome = make_hull(points, options, log);
   if (const auto* reason = std::get_if<NotSolid>(&outcome)) return *reason;
   auto& hull = std::get<Hull>(outcome);
   Solid solid;
-  if (wants_dual) {
+  if (options.wants_dual) {
     solid.dual = log.run("dual", [&] { return dual_of(hull, points); });
   } else {
     log.skip("dual", "only removals need it");
@@ -90,18 +89,20 @@ SolidOutcome solid_of_halfspaces(std::span<const Halfspace> halfspaces, std::uin
 
 }  // namespace
 
-std::variant<Hull, NotSolid> make_hull(const PointSet& points, std::uint64_t seed, bool check,
-                                       StageLog& log, HullObserver* observer) {
+std::variant<Hull, NotSolid> make_hull(const PointSet& points, const SolidOptions& options,
+                                       StageLog& log) {
   HullOutcome outcome = log.run(stage::kHull, [&] {
-    return convex_hull(points,
-                       HullOptions{.seed = seed, .watch = log.watch().stop, .observer = observer});
+    return convex_hull(points, {.seed = options.seed,
+                                .jobs = options.jobs,
+                                .watch = log.watch().stop,
+                                .observer = options.observer});
   });
   if (const auto* flat = std::get_if<FlatInput>(&outcome)) {
     require_proven(check_flat(*flat, points), "every point lies on these planes");
     return NotSolid(*flat);
   }
   auto& hull = std::get<Hull>(outcome);
-  if (check) {
+  if (options.check) {
     log.run("hull certificate", [&] {
       require_proven(check_hull(hull, points), "the hull is convex and holds every point");
     });
@@ -120,12 +121,12 @@ std::variant<Polytope, NotSolid> make_polytope(std::span<const Halfspace> halfsp
   return std::get<Solid>(std::move(outcome)).polytope;
 }
 
-SolidOutcome make_solid(const Shape& shape, std::uint64_t seed, bool check, StageLog& log,
-                        bool wants_dual, HullObserver* observer) {
+SolidOutcome make_solid(const Shape& shape, const SolidOptions& options, StageLog& log) {
   if (const auto* points = std::get_if<PointSet>(&shape)) {
-    return solid_of_points(*points, seed, check, log, wants_dual, observer);
+    return solid_of_points(*points, options, log);
   }
-  return solid_of_halfspaces(std::get<std::vector<Halfspace>>(shape), seed, log, observer);
+  return solid_of_halfspaces(std::get<std::vector<Halfspace>>(shape), options.seed, log,
+                             options.observer);
 }
 
 // The mean of the solid's vertices on a short grid: as deep inside as the centers that the fast

@@ -31,11 +31,19 @@ struct Solid {
 
 using SolidOutcome = std::variant<Solid, NotSolid>;
 
+struct SolidOptions {
+  std::uint64_t seed = 1;  ///< Of every random order; nothing depends on it.
+  bool check = true;       ///< Whether certificates are checked, each as a separate stage.
+  bool wants_dual = true;  ///< If not, the solid of points gets no dual, which only removals need.
+  /// Sees the hull grow, of the points or of the halfspaces' dual points; null for none.
+  HullObserver* observer = nullptr;
+  std::size_t jobs = 1;  ///< Threads, at least 1; nothing depends on them.
+};
+
 /// The hull of points with its certificate checked if asked for, or why there is none.
 /// @throws Error Internal if a certificate fails.
-[[nodiscard]] std::variant<Hull, NotSolid> make_hull(const PointSet& points, std::uint64_t seed,
-                                                     bool check, StageLog& log,
-                                                     HullObserver* observer = nullptr);
+[[nodiscard]] std::variant<Hull, NotSolid> make_hull(const PointSet& points,
+                                                     const SolidOptions& options, StageLog& log);
 
 /// The intersection of halfspaces, whose vertices may be beyond the largest double, or why it is no
 /// bounded solid. @throws Error Internal if a certificate fails.
@@ -43,14 +51,9 @@ using SolidOutcome = std::variant<Solid, NotSolid>;
                                                              std::uint64_t seed, StageLog& log);
 
 /// Runs the stages that the shape needs and notes in `log` those that it does not.
-/// @param check       Whether the certificates of the stages are checked, each as a separate stage.
-/// @param wants_dual  If false, the solid of points gets no dual, which only removals need.
-/// @param observer    Sees the hull grow, of the points or of the halfspaces' dual points; null for
-///                    none.
 /// @throws Error Internal if a certificate fails.
-[[nodiscard]] SolidOutcome make_solid(const Shape& shape, std::uint64_t seed, bool check,
-                                      StageLog& log, bool wants_dual = true,
-                                      HullObserver* observer = nullptr);
+[[nodiscard]] SolidOutcome make_solid(const Shape& shape, const SolidOptions& options,
+                                      StageLog& log);
 
 /// A point strictly inside, for callers that need no deeper one: the one that is set, or the mean
 /// of the solid's vertices on a short grid.

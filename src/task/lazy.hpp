@@ -18,6 +18,9 @@ class Lazy {
     return *value_;
   }
 
+  /// Not while another thread asks.
+  bool is_made() const { return value_.has_value(); }
+
  private:
   mutable std::once_flag once_;
   mutable std::optional<Value> value_;

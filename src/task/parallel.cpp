@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <atomic>
 #include <exception>
+#include <mutex>
 #include <system_error>
 #include <thread>
 #include <vector>
@@ -57,6 +58,10 @@ void for_each_in_parallel(std::size_t count, std::size_t jobs, const Watch& watc
         work(i, quiet);
       },
       [&](std::size_t done) { watch.report(done, count); });
+}
+
+void require_threads(std::optional<std::size_t> jobs) {
+  if (jobs == 0) throw Error(ErrorCode::InvalidArgument, "jobs: at least one thread is needed");
 }
 
 std::size_t all_cores() { return std::max(1u, std::thread::hardware_concurrency()); }

@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: MIT
 // parallel.hpp - the same work for many numbers, on several threads.
 #pragma once
+#include <algorithm>
 #include <cstddef>
+#include <exception>
 #include <functional>
-#include <mutex>
+#include <optional>
+#include <utility>
+#include <vector>
 
 #include "convexact/error.hpp"
 
@@ -25,7 +29,72 @@ void for_each_in_parallel(std::size_t count, std::size_t jobs,
 void for_each_in_parallel(std::size_t count, std::size_t jobs, const Watch& watch,
                           const std::function<void(std::size_t, const Watch&)>& work);
 
+/// What a function returned, or threw: found on one thread, told on another.
+template <class Value>
+class Attempt {
+ public:
+  template <class Make>
+  void set(const Make& make) noexcept {
+    try {
+      value_.emplace(make());
+    } catch (...) {
+      error_ = std::current_exception();
+    }
+  }
+  /// Precondition, as of the next: set.
+  bool has_value() const { return value_.has_value(); }
+  /// @throws What the function threw.
+  Value& get() {
+    if (error_) std::rethrow_exception(error_);
+    return *value_;
+  }
+
+ private:
+  std::optional<Value> value_;
+  std::exception_ptr error_;
+};
+
+/// Calls take(i, make(i, quiet)) for each i below count, ascending and on the caller's thread,
+/// until it returns false; make() runs on up to `jobs` threads, for a few i in advance. What
+/// make(i) returns must depend on i alone: then take() gets the same for any number of threads.
+/// @param watch  Asked before each, and told how many are taken. make() gets it without reports.
+/// @param turn   How many a thread makes before it asks for more: several, if they are quick.
+/// @throws       What make(i) threw, if no take() before it ended the loop; what take() throws.
+template <class Make, class Take>
+void take_in_order(std::size_t count, std::size_t jobs, const Watch& watch, const Make& make,
+                   const Take& take, std::size_t turn = 16) {
+  constexpr std::size_t kInAdvance = 64;  // for each thread; what they return waits in memory
+  const std::size_t together = jobs == 1 ? 1 : kInAdvance * jobs;
+  const Watch quiet = watch.without_reports();
+  using Made = decltype(make(std::size_t{}, quiet));
+  std::vector<Attempt<Made>> made;
+  for (std::size_t first = 0; first < count; first += together) {
+    made.clear();
+    made.resize(std::min(together, count - first));
+    for_each_in_parallel((made.size() + turn - 1) / turn, jobs, [&](std::size_t number) {
+      const std::size_t end = std::min(made.size(), (number + 1) * turn);
+      for (std::size_t k = number * turn; k < end; ++k) {
+        quiet.ask();
+        made[k].set([&] { return make(first + k, quiet); });
+      }
+    });
+    for (std::size_t k = 0; k < made.size(); ++k) {
+      watch.at(first + k, count);
+      if (!take(first + k, std::move(made[k].get()))) return;
+    }
+  }
+}
+
 /// As many threads as this machine runs at the same time, at least 1.
 [[nodiscard]] std::size_t all_cores();
+
+/// @throws Error InvalidArgument for no thread at all.
+void require_threads(std::optional<std::size_t> jobs);
+
+/// Of a request with `jobs`, which mean all cores where they are not given.
+template <class Request>
+[[nodiscard]] std::size_t jobs_of(const Request& request) {
+  return request.jobs.value_or(all_cores());
+}
 
 }  // namespace convexact

@@ -249,7 +249,7 @@ std::variant<Lesson, NotSolid> make_lesson(const SceneObject& object, const Less
   HullRecorder hull;
   const bool is_small = subject.count() <= kMostLessonPoints;
   SolidOutcome outcome =
-      make_solid(object.shape, request.seed, true, log, true, is_small ? &hull : nullptr);
+      make_solid(object.shape, {.seed = request.seed, .observer = is_small ? &hull : nullptr}, log);
   if (const auto* reason = std::get_if<NotSolid>(&outcome)) {
     return of_typed_rows(*reason, object.rows);
   }

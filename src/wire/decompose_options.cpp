@@ -103,10 +103,8 @@ Fields<DecomposeRequest> make_fields() {
       choice_field<R>("engine", &R::engine, kEngineNames,
                       "hacd and cut: rationals everywhere, or the same parts, faster; hacd only: "
                       "doubles that choose, the parts still proven"),
-      count_field<R>(
-          "jobs", &R::jobs, {1, 256},
-          "threads for cutting, merging by reach and proofs, by default as many as there are "
-          "cores; the parts do not depend on it"),
+      jobs_field<R>("threads for cutting, merging by reach and proofs, by default as many as there "
+                    "are cores; the parts do not depend on it"),
       choice_field<R>("precision", &R::precision, kBitsNames,
                       "the numbers of the parts: binary64, or rounded outward to binary32")};
   for (Field<R>& field : fields) {

@@ -193,6 +193,12 @@ Field<Request> count_field(std::string name, Member member, CountRange range, st
           }};
 }
 
+/// Threads of a request that uses all cores where it does not say.
+template <class Request>
+Field<Request> jobs_field(std::string meaning) {
+  return count_field<Request>("jobs", &Request::jobs, {1, 256}, std::move(meaning));
+}
+
 /// @throws Error InvalidArgument, listing the words.
 [[noreturn]] void reject_word(const std::string& option, const std::vector<std::string>& words,
                               const std::string& found);

@@ -135,7 +135,9 @@ const Fields<PartsRequest>& parts_fields() {
                       "turn faces of INPUT so that they bound its solid correctly, or keep them as "
                       "they are (default: auto)"),
       flag_field<R>("exact_volumes", &R::exact_volumes,
-                    "volumes in --json as fractions, too, which may be very long")};
+                    "volumes in --json as fractions, too, which may be very long"),
+      jobs_field<R>("threads, by default as many as there are cores; the verdict does not depend "
+                    "on it")};
   return fields;
 }
 

@@ -41,7 +41,7 @@ TraceVerdict judge(const Solid& solid, const OrderText& text, const JudgeOptions
 std::variant<TraceVerdict, NotSolid> verify_order(const Shape& input, const OrderText& order,
                                                   const VerifyOrderRequest& request) {
   StageLog log(request.watch);
-  SolidOutcome outcome = make_solid(input, request.seed, true, log);
+  SolidOutcome outcome = make_solid(input, {.seed = request.seed}, log);
   if (auto* reason = std::get_if<NotSolid>(&outcome)) return std::move(*reason);
   const auto& solid = std::get<Solid>(outcome);
   const auto* points = std::get_if<PointSet>(&input);

@@ -19,7 +19,7 @@ namespace {
 
 Solid solid_of_points(const std::vector<Point>& points) {
   StageLog log;
-  return std::get<Solid>(make_solid(PointSet(points), 1, true, log));
+  return std::get<Solid>(make_solid(PointSet(points), {}, log));
 }
 
 // Of the box with these three orthogonal directions around the vertices, in their unit.

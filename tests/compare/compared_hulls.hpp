@@ -38,7 +38,7 @@ struct ComparedHull {
  private:
   static convexact::Solid solid_of(convexact::PointSet points) {
     convexact::StageLog log;
-    return std::get<convexact::Solid>(convexact::make_solid(points, 1, true, log));
+    return std::get<convexact::Solid>(convexact::make_solid(points, {}, log));
   }
 };
 

@@ -83,3 +83,31 @@ TEST_CASE(
   // in the queue was raised to a known exact cost, the next one was removed unseen.
   check_same_run(perturb::turned(perturb::stretched(shapes::lattice(12, 1, 6), {0, 0, -40})));
 }
+
+TEST_CASE("simplify_filtered: the same steps for any number of threads that look at all caps") {
+  const PointSet points(shapes::on_sphere(5000, 7));
+  const Hull hull = std::get<Hull>(convex_hull(points));
+  for (const auto cost : {CostMeasure::Volume, CostMeasure::Area, CostMeasure::MeanWidth}) {
+    SimplifyOptions options{.faces = 8000, .cost = cost};
+    const auto run = [&](std::size_t jobs) {
+      options.jobs = jobs;
+      const FastDual dual = FastDual::of(hull, points);
+      return simplify_filtered(dual, options);
+    };
+    const FastResult alone = run(1);
+    for (const std::size_t jobs : {2u, 3u, 8u}) {
+      CAPTURE(jobs);
+      const FastResult made = run(jobs);
+      REQUIRE(made.steps.size() == alone.steps.size());
+      for (std::size_t k = 0; k < made.steps.size(); ++k) {
+        CHECK(made.steps[k].removed == alone.steps[k].removed);
+        CHECK(made.steps[k].cost_lower == alone.steps[k].cost_lower);
+        CHECK(made.steps[k].cost_upper == alone.steps[k].cost_upper);
+      }
+      CHECK(made.survivors == alone.survivors);
+      CHECK(made.counts.evaluations == alone.counts.evaluations);
+      CHECK(made.counts.signs.filtered == alone.counts.signs.filtered);
+      CHECK(made.counts.signs.exact == alone.counts.signs.exact);
+    }
+  }
+}

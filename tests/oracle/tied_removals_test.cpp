@@ -34,7 +34,7 @@ struct CutCube {
     planes = sides;
     planes.insert(planes.end(), cuts.begin(), cuts.end());
     StageLog log;
-    solid = std::get<Solid>(make_solid(Shape(planes), 1, true, log));
+    solid = std::get<Solid>(make_solid(Shape(planes), {}, log));
   }
 
   ByTies leads(const std::vector<Halfspace>& to, std::size_t most_states = kMany) const {

@@ -8,7 +8,9 @@
 
 #include "cells.hpp"
 #include "expect_error.hpp"
+#include "small_surfaces.hpp"
 #include "sweep.hpp"
+#include "wire/parts_verdict.hpp"
 
 using namespace convexact;
 using namespace support;
@@ -449,4 +451,30 @@ TEST_CASE("verify_parts: within-solid needs a distance, and faces") {
   CHECK(verify_parts(open, cube, request).holds());
   request.distance = Tolerance{Rational(49, 100), false};
   CHECK(verify_parts(open, cube, request)[WithinSolid].status == Status::Violated);
+}
+
+TEST_CASE("verify_parts: the same verdict and measures for any number of threads") {
+  std::mt19937 random(55);
+  for (unsigned round = 0; round < 8; ++round) {
+    const std::set<Cell> cells = random_cells(8, random);
+    std::vector<Box> boxes = boxes_of(cells);
+    // Of two rounds one covers all; the other leaves gaps, reaches out, and overlaps.
+    for (Box& box : boxes) {
+      for (int k = 0; k < 3 && round % 2 == 1; ++k) box.high[k] += double(random() % 5) / 8 - 0.25;
+    }
+    PartsRequest request = everything();
+    request.exact_volumes = round % 4 < 2;
+    request.distance = Tolerance{Rational(1, 10)};  // no part reaches just so far
+    request.claims.push_back(WithinSolid);
+    const auto told = [&](std::size_t jobs) {
+      request.jobs = jobs;
+      return write_json(parts_verdict_json(judged(cells, boxes, request)), 1);
+    };
+    const std::string alone = told(1);
+    for (const std::size_t jobs : {2u, 3u, 8u}) CHECK(told(jobs) == alone);
+  }
+  PartsRequest request;
+  request.jobs = 0;
+  CHECK(error_of([&] { return judged(l_cells(), boxes_of(l_cells()), request); }).code() ==
+        ErrorCode::InvalidArgument);
 }

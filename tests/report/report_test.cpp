@@ -24,7 +24,7 @@ namespace {
 
 Solid solid_of(const PointSet& points) {
   StageLog log;
-  return std::get<Solid>(make_solid(points, 1, true, log));
+  return std::get<Solid>(make_solid(points, {}, log));
 }
 
 const WayResult& way_of(const WorkPrecision& precision, const std::string& name) {

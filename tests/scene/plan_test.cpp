@@ -68,7 +68,7 @@ void simplify_in(Plan& plan, const Shape& shape, SimplifyRequest request) {
 
 std::vector<Halfspace> halfspaces_of_ball() {
   StageLog log;
-  return std::get<Solid>(make_solid(ball(), 1, false, log)).dual.halfspaces;
+  return std::get<Solid>(make_solid(ball(), {.check = false}, log)).dual.halfspaces;
 }
 
 /// The stage began with one plan, and did not with the other, which says why.

@@ -591,3 +591,48 @@ TEST_CASE("find_gaps: what simplify_scene() makes has none, halfspaces and cloud
   parts[1].shape = slab_box(1, 2);
   CHECK(find_gaps(parts, solids).faces == 0);
 }
+
+TEST_CASE("a scene is the same for any number of threads") {
+  std::vector<Shape> parts;
+  for (std::uint64_t seed = 1; seed <= 9; ++seed) {
+    parts.emplace_back(PointSet(shapes::on_sphere(40 + 60 * std::uint32_t(seed % 3), seed / 2)));
+  }
+  for (const Engine engine : kEngines) {
+    for (const CostMeasure cost : kMeasures) {
+      if (engine == Engine::Exact && cost != CostMeasure::Volume) continue;  // takes long
+      SceneRequest request = total_request(120, engine, cost);
+      request.each.jobs = 1;
+      const SceneResult alone = run(parts, request);
+      for (const std::size_t jobs : {2u, 3u, 8u}) {
+        CAPTURE(jobs);
+        request.each.jobs = jobs;
+        const SceneResult made = run(parts, request);
+        CHECK(made.order == alone.order);
+        CHECK(made.steps == alone.steps);
+        CHECK(made.input_volume.exact == alone.input_volume.exact);
+        CHECK(made.output_volume.exact == alone.output_volume.exact);
+        for (std::size_t k = 0; k < parts.size(); ++k) {
+          CHECK(made.parts[k].solid.exact.planes == alone.parts[k].solid.exact.planes);
+        }
+      }
+    }
+  }
+}
+
+TEST_CASE("a scene: the first part that is flat or refused is told of, by any number of threads") {
+  std::vector<Shape> parts(20, Shape(PointSet(shapes::cut_cube(1, 0.25))));
+  parts[4] = PointSet(std::vector<Point>{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}});
+  parts[6] = std::vector<Halfspace>{};
+  for (const std::size_t jobs : {1u, 2u, 8u}) {
+    CAPTURE(jobs);
+    SceneRequest request = total_request(100);
+    request.each.jobs = jobs;
+    const SceneOutcome outcome = simplify_scene(parts, request);
+    REQUIRE(std::holds_alternative<NotSolidPart>(outcome));
+    CHECK(std::get<NotSolidPart>(outcome).part == 4);
+  }
+  SceneRequest request = total_request(100);
+  request.each.jobs = 0;
+  CHECK(error_of([&] { return simplify_scene(parts, request); }).code() ==
+        ErrorCode::InvalidArgument);
+}

@@ -166,7 +166,7 @@ TEST_CASE("stress: each judge of ties sees by itself that one is listed wrongly"
   const StressInput input = tied_input().front();
   const Shape shape = input.make();
   StageLog log;
-  const Solid solid = std::get<Solid>(make_solid(shape, 1, true, log));
+  const Solid solid = std::get<Solid>(make_solid(shape, {}, log));
   const CenteredDual centered{solid.dual, interior_point_of(solid)};
   const EngineAnswer honest = answer_of(shape, {.engine = Engine::Exact});
   REQUIRE(honest.run.steps[0].tie.size() == 4);

@@ -124,3 +124,77 @@ TEST_CASE("for_each_in_parallel: a watch is told of each, and ends the loop") {
     CHECK(begun < 10 + jobs);
   }
 }
+
+TEST_CASE("take_in_order: each in its order, on the caller's thread, for any number of threads") {
+  for (const std::size_t jobs : {1u, 2u, 3u, 8u}) {
+    for (const std::size_t turn : {1u, 16u}) {
+      for (const std::size_t count : {0u, 1u, 17u, 700u}) {
+        CAPTURE(jobs);
+        std::vector<std::size_t> taken;
+        const auto caller = std::this_thread::get_id();
+        take_in_order(
+            count, jobs, {},
+            [&](std::size_t i, const Watch&) {
+              if (i % 50 == 0) delay(i);
+              return i * i;
+            },
+            [&](std::size_t i, std::size_t made) {
+              CHECK(made == i * i);
+              CHECK(std::this_thread::get_id() == caller);
+              taken.push_back(i);
+              return true;
+            },
+            turn);
+        std::vector<std::size_t> ascending(count);
+        std::iota(ascending.begin(), ascending.end(), 0);
+        CHECK(taken == ascending);
+      }
+    }
+  }
+}
+
+TEST_CASE("take_in_order: what is behind the end is not told of, not even its failure") {
+  for (const std::size_t jobs : {1u, 2u, 8u}) {
+    CAPTURE(jobs);
+    std::size_t taken = 0;
+    const auto fail_from = [&](std::size_t first, std::size_t end) {
+      taken = 0;
+      take_in_order(
+          1000, jobs, {},
+          [&](std::size_t i, const Watch&) {
+            if (i >= first) throw std::runtime_error(std::to_string(i));
+            return i;
+          },
+          [&](std::size_t i, std::size_t) {
+            ++taken;
+            return i != end;
+          });
+    };
+    CHECK_NOTHROW(fail_from(6, 5));
+    CHECK(taken == 6);
+    CHECK_THROWS_WITH(fail_from(5, 5), "5");
+    CHECK(taken == 5);
+    CHECK_THROWS_WITH(fail_from(0, 5), "0");
+  }
+}
+
+TEST_CASE("take_in_order: a watch ends it, and is told") {
+  for (const std::size_t jobs : {1u, 3u}) {
+    std::atomic<bool> stop = false;
+    std::size_t told = 0;
+    const Watch watch(&stop, [&](std::size_t, std::size_t all) {
+      CHECK(all == 5000);
+      ++told;
+    });
+    const auto make = [&](std::size_t i, const Watch& quiet) {
+      quiet.report(1, 2);  // goes nowhere
+      return i;
+    };
+    const auto stop_at = [&](std::size_t i, std::size_t) {
+      if (i == 1000) stop = true;
+      return true;
+    };
+    CHECK_THROWS_AS(take_in_order(5000, jobs, watch, make, stop_at), Error);
+    CHECK(told == 4);  // once in 256
+  }
+}

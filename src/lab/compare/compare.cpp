@@ -55,7 +55,7 @@ std::variant<MethodComparison, NotSolid> compare_methods(const std::string& name
                                                          const Shape& shape,
                                                          const CompareRequest& request) {
   StageLog log(request.watch);
-  SolidOutcome outcome = make_solid(shape, request.seed, true, log);
+  SolidOutcome outcome = make_solid(shape, {.seed = request.seed}, log);
   if (auto* reason = std::get_if<NotSolid>(&outcome)) return std::move(*reason);
   const auto& solid = std::get<Solid>(outcome);
   const HullMeasures measures = log.run(

@@ -152,7 +152,7 @@ bool DiffReport::holds() const {
 DiffOutcome diff_engines(const Shape& shape, const DiffRequest& request) {
   require_sensible(request);
   StageLog log(request.watch);
-  SolidOutcome outcome = make_solid(shape, request.seed, true, log);
+  SolidOutcome outcome = make_solid(shape, {.seed = request.seed}, log);
   if (const auto* reason = std::get_if<NotSolid>(&outcome)) return *reason;
   auto& solid = std::get<Solid>(outcome);
   log.skip("Chebyshev center", "any interior point serves, and all engines get the same");

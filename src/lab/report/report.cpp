@@ -43,7 +43,7 @@ std::variant<InputReport, NotSolid> measure_input(
     effort.progress = [&](const std::string& what) { request.effort.progress(name + ": " + what); };
   }
   StageLog log;
-  const SolidOutcome outcome = make_solid(shape, effort.seed, true, log);
+  const SolidOutcome outcome = make_solid(shape, {.seed = effort.seed}, log);
   if (const auto* reason = std::get_if<NotSolid>(&outcome)) return *reason;
   const auto& solid = std::get<Solid>(outcome);
   InputReport report;

@@ -287,7 +287,7 @@ Breakdown measure_breakdown(const std::string& family, const Effort& effort) {
     point.value = value;
     StageLog log;
     const SolidOutcome outcome =
-        make_solid(points_of(sweep, value, effort.seed), effort.seed, true, log);
+        make_solid(points_of(sweep, value, effort.seed), {.seed = effort.seed}, log);
     if (const auto* reason = std::get_if<NotSolid>(&outcome)) {
       point.why_not = describe(*reason);
       continue;

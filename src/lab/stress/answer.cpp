@@ -169,7 +169,7 @@ Polytope take_search(const Shape& shape, SimplifyRequest request, const SearchRe
 
 void answer_for(const Shape& shape, const Question& question, EngineAnswer& answer) {
   StageLog log;
-  const SolidOutcome outcome = make_solid(shape, question.seed, true, log);
+  const SolidOutcome outcome = make_solid(shape, {.seed = question.seed}, log);
   if (const auto* reason = std::get_if<NotSolid>(&outcome)) {
     answer.end = StressEnd::NoVolume;
     answer.why = describe(*reason);

@@ -273,7 +273,7 @@ void Judge::measure_volume_error(const EngineAnswer& answer, StressRun& run) con
 std::vector<StressRun> judge_answers(const StressInput& input, const Shape& shape,
                                      std::span<const EngineAnswer> answers) {
   StageLog log;
-  const SolidOutcome outcome = make_solid(shape, input.seed + 1, true, log);
+  const SolidOutcome outcome = make_solid(shape, {.seed = input.seed + 1}, log);
   const Solid* solid = std::get_if<Solid>(&outcome);
   std::vector<StressRun> runs;
   for (const EngineAnswer& answer : answers) {

@@ -25,6 +25,7 @@ void judge(const Mesh& mesh, const Decomposition& made, PartsStressRun& run) {
                   ClaimCode::CoversSolid};
   asked.distance = Tolerance{kDefaultDistance.value, true};
   asked.measures = PartMeasures::None;  // distances take minutes at the ends of the doubles
+  asked.jobs = 1;                       // as of the method
   const PartsVerdict verdict = verify_parts(mesh, parts, asked);
   for (const ClaimCode code : asked.claims) {
     if (verdict[code].status == Status::Holds) continue;

@@ -25,6 +25,7 @@ class PartsTrial : public ClaimSheet {
   StageLog& log;
   PointSet points;  ///< Of the input, to be covered.
   PartsVerdict verdict;
+  bool is_solid_held = false;  ///< Proven.
 };
 
 /// The number that a budget allows, which may be unset; nullptr for other claims.

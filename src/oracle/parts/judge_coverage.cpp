@@ -12,6 +12,7 @@
 #include "oracle/parts/judge.hpp"
 #include "parts/part_volumes.hpp"
 #include "surface/box_tree.hpp"
+#include "task/parallel.hpp"
 
 namespace convexact::oracle {
 namespace {
@@ -166,7 +167,7 @@ void judge_tolerance(const std::string& count, PartsTrial& trial, const UnionDis
 void judge_surface(PartsTrial& trial) {
   PartsVerdict& verdict = trial.verdict;
   const Watch watch = trial.watch("covered surface");
-  verdict.coverage = find_uncovered(verdict.surface, verdict.hulls, watch);
+  verdict.coverage = find_uncovered(verdict.surface, verdict.hulls, watch, jobs_of(trial.request));
   const auto& uncovered = verdict.coverage->uncovered;
   if (uncovered.empty()) {
     return trial.holds(CoversSurface, fmt::format("each of {} lies in the union",
@@ -194,10 +195,13 @@ void judge_surface(PartsTrial& trial) {
 
 void judge_solid(const Winding& winding, PartsTrial& trial) {
   PartsVerdict& verdict = trial.verdict;
-  const auto found = find_uncovered_solid(verdict.surface, winding, verdict.hulls,
-                                          *verdict.coverage, trial.watch("covered solid"));
-  if (!found)
+  const auto found =
+      find_uncovered_solid(verdict.surface, winding, verdict.hulls, *verdict.coverage,
+                           trial.watch("covered solid"), jobs_of(trial.request));
+  trial.is_solid_held = !found;
+  if (!found) {
     return trial.holds(CoversSolid, "each point that the surface encloses lies in a part");
+  }
   Witness witness;
   witness.point = found->point;
   witness.winding = found->winding;
@@ -274,14 +278,17 @@ void measure_parts(PartsTrial& trial) {
   if (verdict.hulls.empty()) return trial.log.skip("measures", "there is no part");
   if (surface.triangles.empty()) return trial.log.skip("measures", "the input has no faces");
   if (trial.squared_diameter == 0) return trial.log.skip("measures", "the input is a point");
-  const bool exact = trial.request.exact_volumes;
   const std::vector<ConvexPart>& parts = verdict.hulls;
   StageLog& log = trial.log;
   std::vector<Rational> shares(surface.triangles.size(), 0);
   for (const UncoveredPiece& piece : verdict.coverage->uncovered) {
     shares[piece.triangle.index()] += piece.share;
   }
-  PartsMeasures found{measure_volumes(surface, parts, wanted, exact, log),
+  const VolumesAsked volumes{.wanted = wanted,
+                             .exact = trial.request.exact_volumes,
+                             .hold_solid = trial.is_solid_held,
+                             .jobs = jobs_of(trial.request)};
+  PartsMeasures found{measure_volumes(surface, parts, volumes, log),
                       area(surface, [](std::size_t) { return Rational(1); }),
                       area(surface, [&](std::size_t t) { return shares[t]; }),
                       Enclosure(kMeasureBits),
@@ -295,7 +302,7 @@ void measure_parts(PartsTrial& trial) {
     std::optional<Winding> winding;
     if (surface.is_closed) winding.emplace(surface);
     found.union_to_input = union_to_surface(parts, surface, winding ? &*winding : nullptr,
-                                            trial.squared_diameter, watch)
+                                            trial.squared_diameter, watch, volumes.jobs)
                                .bounds;
   });
   verdict.measures = std::move(found);

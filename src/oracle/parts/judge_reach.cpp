@@ -8,6 +8,7 @@
 #include "number/text.hpp"
 #include "oracle/parts/judge.hpp"
 #include "parts/part_volumes.hpp"
+#include "task/parallel.hpp"
 
 namespace convexact::oracle {
 namespace {
@@ -60,9 +61,10 @@ class ReachJudge {
     std::vector<BoundingBox> boxes;
     for (const ConvexPart& part : parts_) boxes.push_back(part.box);
     ReachLimit limit(surface_, winding_ ? &*winding_ : nullptr, squared, boxes);
+    const std::vector<bool> allowed = limit.allows_each(parts_, jobs_of(trial_.request), watch);
     for (std::size_t k = 0; k < parts_.size(); ++k) {
-      watch.at(k, parts_.size());
-      if (limit.allows(parts_[k], watch)) continue;
+      if (allowed[k]) continue;
+      watch.ask();
       PartReach reach = limit(parts_[k], watch);
       if (reach.reach == Reach::Beyond)
         beyond_.push_back({k, std::move(reach)});
@@ -73,7 +75,8 @@ class ReachJudge {
 
   std::optional<Rational> excess() const {
     if (!surface_.is_closed) return {};
-    return exact_excess(surface_, parts_, StageWatch{.stop = trial_.log.watch().stop});
+    return exact_excess(surface_, parts_, StageWatch{.stop = trial_.log.watch().stop},
+                        jobs_of(trial_.request));
   }
 
   std::string limit_text() const { return describe_distance(*trial_.request.distance); }

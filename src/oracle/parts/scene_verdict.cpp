@@ -19,7 +19,7 @@ namespace {
 // The halfspaces of the hull of a part's points; none if these span no volume.
 std::vector<Halfspace> hull_planes(const PointSet& points, const VerifyRequest& request) {
   StageLog within(StageWatch{.stop = request.watch.stop});
-  const auto outcome = make_hull(points, request.seed, true, within);
+  const auto outcome = make_hull(points, {.seed = request.seed}, within);
   const auto* hull = std::get_if<Hull>(&outcome);
   return hull != nullptr ? to_polytope(*hull, points).planes : std::vector<Halfspace>();
 }

@@ -12,6 +12,7 @@
 #include "number/text.hpp"
 #include "oracle/parts/judge.hpp"
 #include "oracle/solid/judge.hpp"
+#include "task/parallel.hpp"
 
 namespace convexact {
 namespace oracle {
@@ -167,12 +168,14 @@ void judge_each_budget(PartsTrial& trial) {
 void judge_each_part(std::span<const NamedPart> parts, PartsTrial& trial) {
   const VerifyRequest request = request_for_a_part(trial);
   trial.log.run("each part", [&] {
-    const Watch watch = trial.watch("each part");
-    for (const NamedPart& part : parts) {
-      watch.at(trial.verdict.parts.size(), parts.size());
-      trial.verdict.hulls.push_back(convex_part(part.mesh.points, watch));
-      trial.verdict.parts.push_back(judge_part(part, trial.verdict.hulls.back(), request, trial));
-    }
+    trial.verdict.hulls.resize(parts.size());
+    trial.verdict.parts.resize(parts.size());
+    for_each_in_parallel(parts.size(), jobs_of(trial.request), trial.watch("each part"),
+                         [&](std::size_t k, const Watch& watch) {
+                           ConvexPart& hull = trial.verdict.hulls[k];
+                           hull = convex_part(parts[k].mesh.points, watch);
+                           trial.verdict.parts[k] = judge_part(parts[k], hull, request, trial);
+                         });
   });
   if (parts.empty()) {
     trial.violated(PartsSolid, "there is no part");
@@ -193,6 +196,7 @@ void check_request(const PartsRequest& request) {
   if (request.distance && request.distance->value < 0) {
     throw Error(ErrorCode::InvalidArgument, "a distance cannot be negative");
   }
+  require_threads(request.jobs);
   for (const ClaimCode code : request.claims) {
     const std::string name = name_of(code);
     if (!is_of_parts(code)) {

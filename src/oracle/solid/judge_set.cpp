@@ -70,8 +70,9 @@ void judge_mesh_set(const Mesh& mesh, Trial& trial) {
   size.stored_faces = mesh.polygons.size();
   size.stored_vertices = mesh.points.size();
   StageLog within = trial.unrecorded();
-  auto outcome = trial.log.run(
-      "candidate's hull", [&] { return make_hull(mesh.points, trial.request.seed, true, within); });
+  auto outcome = trial.log.run("candidate's hull", [&] {
+    return make_hull(mesh.points, {.seed = trial.request.seed}, within);
+  });
   if (const auto* reason = std::get_if<NotSolid>(&outcome)) {
     return judge_flat_mesh(std::get<FlatInput>(*reason), trial);
   }

@@ -80,14 +80,14 @@ std::variant<Input, NotSolid> whole_input(const Shape& shape, std::uint64_t seed
   StageLog within(StageWatch{.stop = log.watch().stop});
   if (const auto* points = std::get_if<PointSet>(&shape)) {
     const auto outcome =
-        log.run("input's hull", [&] { return make_hull(*points, seed, true, within); });
+        log.run("input's hull", [&] { return make_hull(*points, {.seed = seed}, within); });
     if (const auto* reason = std::get_if<NotSolid>(&outcome)) return *reason;
     const auto& hull = std::get<Hull>(outcome);
     return Input{*points, hull.vertices, to_polytope(hull, *points),
                  bounding_box(*points).squared_diameter()};
   }
   SolidOutcome outcome =
-      log.run("input's vertices", [&] { return make_solid(shape, seed, true, within); });
+      log.run("input's vertices", [&] { return make_solid(shape, {.seed = seed}, within); });
   if (const auto* reason = std::get_if<NotSolid>(&outcome)) return *reason;
   auto& solid = std::get<Solid>(outcome);
   const Rational squared = bounding_box(solid.points).squared_diameter();
