@@ -119,7 +119,7 @@ int run_inner(const SimplifyArguments& options) {
   }
   options.output.require_room_for(scene.size());
   auto found = on_each_object<InnerResult>(
-      std::move(scene), run.log(), jobs_of(options),
+      std::move(scene), run.log(), options.jobs,
       [&](const Shape& shape, std::size_t, const StageWatch& watch, std::size_t) {
         InnerRequest request = wanted;
         request.watch = watch;

@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: MIT
 // outputs.hpp - the files that simplify writes: all of them, complete, or none.
 #pragma once
-#include <algorithm>
 #include <array>
-#include <mutex>
 #include <optional>
 #include <string>
 #include <utility>
@@ -18,8 +16,8 @@
 #include "convexact/simplify.hpp"
 #include "io/json_document.hpp"
 #include "pages/solids_picture.hpp"
+#include "scene/each_object.hpp"
 #include "solid/stage_log.hpp"
-#include "task/parallel.hpp"
 #include "wire/stage_report.hpp"
 
 namespace convexact::cli {
@@ -67,42 +65,24 @@ struct FlatObject {
 };
 
 /// The results of `work` for each object, from its shape, its number, a watch and the threads that
-/// it may use, with its stages in the log; or the first object without volume. Several objects are
-/// worked on at the same time, each on one of `jobs` threads; a single one may use all of them.
+/// it may use, with its stages in the log; or the first object without volume. See on_each().
 template <class Result, class Work>
 std::variant<std::vector<FoundObject<Result>>, FlatObject> on_each_object(
-    std::vector<SceneObject> scene, StageLog& log, std::size_t jobs, const Work& work) {
-  const bool alone = jobs == 1 || scene.size() == 1;
-  const StageWatch quiet = log.watch().without_reports();
-  std::vector<Attempt<std::variant<Result, NotSolid>>> outcomes(scene.size());
-  std::mutex mutex;
-  std::size_t end = scene.size();  // the first that ends it; those before it are looked at
-  if (!alone && log.watch().begins) log.watch().begins("objects");
-  for_each_in_parallel(
-      scene.size(), alone ? 1 : jobs,
-      [&](std::size_t k) {
-        {
-          const std::lock_guard lock(mutex);
-          if (k > end) return;
-        }
-        outcomes[k].set(
-            [&] { return work(scene[k].shape, k, alone ? log.watch() : quiet, alone ? jobs : 1); });
-        if (outcomes[k].has_value() && std::holds_alternative<Result>(outcomes[k].get())) return;
-        const std::lock_guard lock(mutex);
-        end = std::min(end, k);
-      },
-      [&](std::size_t done) {
-        if (!alone) log.watch("objects").report(done, scene.size());
+    std::vector<SceneObject> scene, StageLog& log, std::optional<std::size_t> jobs,
+    const Work& work) {
+  auto outcome = on_each<Result>(
+      scene.size(), jobs, log.watch(),
+      [&](std::size_t k, const StageWatch& watch, std::size_t threads) {
+        return std::variant<Result, NotSolid>(work(scene[k].shape, k, watch, threads));
       });
+  if (const auto* flat = std::get_if<NotSolidPart>(&outcome)) {
+    const SceneObject& object = scene[flat->part];
+    return FlatObject{object.name, of_typed_rows(flat->reason, object.rows)};
+  }
   std::vector<FoundObject<Result>> found;
-  for (SceneObject& object : scene) {
-    std::variant<Result, NotSolid>& outcome = outcomes[found.size()].get();
-    if (const auto* reason = std::get_if<NotSolid>(&outcome)) {
-      return FlatObject{object.name, of_typed_rows(*reason, object.rows)};
-    }
-    auto& result = std::get<Result>(outcome);
+  for (Result& result : std::get<std::vector<Result>>(outcome)) {
     log.add(result.stages);
-    found.push_back({std::move(object), std::move(result)});
+    found.push_back({std::move(scene[found.size()]), std::move(result)});
   }
   return found;
 }
@@ -198,7 +178,7 @@ int run_on_inputs(const Arguments& options, Requests&& requests, Work&& work, An
   const auto find = [&](std::vector<SceneObject> scene, StageLog& log, const StageWatch&) {
     const auto asked = requests(scene);
     return on_each_object<Result>(
-        std::move(scene), log, jobs_of(options),
+        std::move(scene), log, options.jobs,
         [&](const Shape& shape, std::size_t k, const StageWatch& watch, std::size_t jobs) {
           auto own = asked[k];
           own.watch = watch;

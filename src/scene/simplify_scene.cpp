@@ -6,6 +6,7 @@
 #include "convexact/error.hpp"
 #include "convexact/simplify.hpp"
 #include "number/precision.hpp"
+#include "scene/each_object.hpp"
 #include "scene/part_runs.hpp"
 #include "task/parallel.hpp"
 
@@ -35,7 +36,6 @@ void require_sensible_scene(std::size_t parts, const SceneRequest& request) {
 SimplifyRequest part_request(const SceneRequest& request, std::size_t part) {
   SimplifyRequest own = request.each;
   if (!request.keep.empty()) own.keep = request.keep[part];
-  own.jobs = 1;  // the parts themselves take turns
   return own;
 }
 
@@ -46,35 +46,19 @@ struct PreparedPart {
   std::optional<InputMeasures> before;
 };
 
-// The parts are told of on their way together, not of their stages.
-constexpr const char *kPrepare = "parts", *kFinish = "proofs of parts";
-
 std::variant<std::vector<PreparedPart>, NotSolidPart> prepare_parts(std::span<const Shape> shapes,
-                                                                    const SceneRequest& request,
-                                                                    StageLog& log) {
+                                                                    const SceneRequest& request) {
   using Prepared = std::variant<PreparedPart, NotSolid>;
-  const auto prepare = [&](std::size_t k, const Watch&) -> Prepared {
-    PreparedPart part{
-        part_request(request, k), StageLog(request.each.watch.without_reports()), nullptr, {}};
+  const auto prepare = [&](std::size_t k, const StageWatch& watch, std::size_t jobs) -> Prepared {
+    PreparedPart part{part_request(request, k), StageLog(watch), nullptr, {}};
+    part.request.jobs = jobs;
     auto prepared = prepare_run(shapes[k], part.request, part.log);
     if (auto* reason = std::get_if<NotSolid>(&prepared)) return std::move(*reason);
     part.input = std::get<std::unique_ptr<RunInput>>(std::move(prepared));
     part.before = measure_input(*part.input, part.request, part.log);
     return part;
   };
-  std::vector<PreparedPart> parts;
-  std::optional<NotSolidPart> flat;
-  const auto take = [&](std::size_t k, Prepared prepared) {
-    if (auto* reason = std::get_if<NotSolid>(&prepared)) {
-      flat = NotSolidPart{k, std::move(*reason)};
-      return false;
-    }
-    parts.push_back(std::get<PreparedPart>(std::move(prepared)));
-    return true;
-  };
-  take_in_order(shapes.size(), jobs_of(request.each), log.watch(kPrepare), prepare, take, 1);
-  if (flat) return std::move(*flat);
-  return parts;
+  return on_each<PreparedPart>(shapes.size(), request.each.jobs, request.each.watch, prepare);
 }
 
 SharedOptions options_of(const SceneRequest& request, const std::vector<PreparedPart>& parts) {
@@ -160,7 +144,7 @@ SceneOutcome simplify_scene(std::span<const Shape> shapes, const SceneRequest& r
   whole.faces = request.total_faces;
   require_sensible(whole);
   StageLog log(request.each.watch);
-  auto prepared = prepare_parts(shapes, request, log);
+  auto prepared = prepare_parts(shapes, request);
   if (auto* flat = std::get_if<NotSolidPart>(&prepared)) return *flat;
   auto& parts = std::get<std::vector<PreparedPart>>(prepared);
 
@@ -191,7 +175,7 @@ SceneOutcome simplify_scene(std::span<const Shape> shapes, const SceneRequest& r
     scene.parts.push_back(std::move(result));
     return true;
   };
-  take_in_order(parts.size(), jobs_of(request.each), log.watch(kFinish), finish, take, 1);
+  take_in_order(parts.size(), jobs_of(request.each), log.watch("proofs"), finish, take, 1);
   scene.order = std::move(end.order);
   scene.stop = end.stop;
   scene.growth_bits = end.growth_bits;

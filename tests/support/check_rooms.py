@@ -42,7 +42,7 @@ WORDING = {"wire", "pages", "teach", "cli"}
 CLI_SEES = {"conform/program.hpp", "conform/program_output.hpp", "hull/hull_steps.hpp", "io/file_kind.hpp", "io/json.hpp",
             "io/json_document.hpp", "io/json_text.hpp", "io/mesh_readers.hpp", "io/names.hpp", "io/used_points.hpp",
             "number/precision.hpp", "number/text.hpp", "oracle/parts/scene_verdict.hpp", "proof/decomposition_proof.hpp",
-            "proof/proof.hpp", "scene/objects.hpp", "simplify/run_names.hpp", "solid/solid.hpp", "solid/stage_log.hpp"}
+            "proof/proof.hpp", "scene/each_object.hpp", "scene/objects.hpp", "simplify/run_names.hpp", "solid/solid.hpp", "solid/stage_log.hpp"}
 # Files that verify steps, and what they must not see: the surface and the cap that they verify.
 VERIFICATION = re.compile(r"src/simplify/(step_verification|inner_verification|plain_\w+|whole_dual|modular_volume)\.[hc]pp")
 VERIFIED = re.compile(r"simplify/(dual_surface|cap|ring_triangulation|exact_engine)\.hpp")
