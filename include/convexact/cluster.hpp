@@ -127,8 +127,6 @@ struct ClusterOptions {
   bool costs = false;
   /// Fill in Clustering::further_merges, for a tree.
   bool further = false;
-  /// Threads, at least 1, on which nothing depends. Of the filtered and the float engine.
-  std::size_t jobs = 1;
   /// Reports merges as progress. It can end a long run with Error Stopped.
   Watch watch = {};
 };

@@ -10,7 +10,6 @@
 #include "decompose/near_concavity.hpp"
 #include "number/groups.hpp"
 #include "surface/edges.hpp"
-#include "task/parallel.hpp"
 
 namespace convexact {
 namespace {
@@ -22,7 +21,6 @@ void require_sensible(const ClusterOptions& options) {
                 limit.is_share ? "the concavity allowed is a share of the diameter: from 0 to 1"
                                : "the concavity allowed is a length: at least 0");
   }
-  require_threads(options.jobs);
   if (options.max_parts && *options.max_parts == 0) {
     throw Error(ErrorCode::InvalidArgument, "at least one part is needed");
   }

@@ -15,7 +15,6 @@
 #include "number/ordering.hpp"
 #include "number/precision.hpp"
 #include "number/roundoff.hpp"
-#include "task/parallel.hpp"
 
 namespace convexact {
 namespace {
@@ -141,7 +140,9 @@ class FilteredEngine {
     report_progress();
     CandidatePair candidate = std::move(candidates_.at(pair));
     leave(pair);
-    NearCluster both = united(pair);
+    const Cluster& a = clusters_.at(pair.first);
+    const Cluster& b = clusters_.at(pair.second);
+    NearCluster both = near_.unite(a.near, b.near, by_concavity_ ? kNoBound : limit_.high);
     both.concavity.low = std::max(both.concavity.low, candidate.concavity.low);
     candidate.concavity = both.concavity;
     candidate.united = std::make_unique<NearCluster>(std::move(both));
@@ -149,31 +150,6 @@ class FilteredEngine {
     if (!by_concavity_) candidate.is_beyond = exceeds_limit(pair, candidate);
     if (candidate.is_beyond) candidate.united.reset();
     enter(pair, std::move(candidate));
-  }
-
-  NearCluster unite(const ClusterPair& pair) const {
-    return near_.unite(clusters_.at(pair.first).near, clusters_.at(pair.second).near,
-                       by_concavity_ ? kNoBound : limit_.high);
-  }
-
-  // The union of clusters as they are. On several threads those that are likely to be asked for
-  // next are made with it; what is asked, and its order, remain the same.
-  NearCluster united(const ClusterPair& pair) {
-    constexpr std::size_t kAhead = 16;  // for each thread
-    if (options_.jobs == 1) return unite(pair);
-    if (auto known = ahead_.extract(pair)) return std::move(known.mapped());
-    std::vector<ClusterPair> pairs{pair};
-    std::size_t most_looks = 4 * kAhead * options_.jobs;
-    for (const Place& next : queue_) {
-      if (pairs.size() == kAhead * options_.jobs || most_looks-- == 0) break;
-      const ClusterPair& other = std::get<ClusterPair>(next);
-      if (!candidates_.at(other).is_fresh && !ahead_.contains(other)) pairs.push_back(other);
-    }
-    std::vector<NearCluster> made(pairs.size());
-    for_each_in_parallel(pairs.size(), options_.jobs,
-                         [&](std::size_t k) { made[k] = unite(pairs[k]); });
-    for (std::size_t k = 1; k < pairs.size(); ++k) ahead_.emplace(pairs[k], std::move(made[k]));
-    return std::move(made.front());
   }
 
   bool exceeds_limit(const ClusterPair& pair, CandidatePair& candidate) {
@@ -369,7 +345,6 @@ class FilteredEngine {
             std::max({after.concavity.low, before.concavity.low, near.concavity.low});
         after.is_beyond = after.is_beyond || before.is_beyond;
         leave(old);
-        ahead_.erase(old);
         std::erase(clusters_.at(other).neighbours, name);
       }
     }
@@ -388,7 +363,6 @@ class FilteredEngine {
   // No merge within the limit is left: all candidates are beyond it.
   void queue_by_concavity() {
     by_concavity_ = true;
-    ahead_.clear();  // made for the limit
     auto before = std::exchange(candidates_, {});
     for (const auto& [pair, candidate] : before) {
       CandidatePair stale;
@@ -414,8 +388,7 @@ class FilteredEngine {
   LengthBounds limit_;
   std::map<std::uint32_t, Cluster> clusters_;  // by their lowest triangles
   std::map<ClusterPair, CandidatePair> candidates_;
-  std::map<ClusterPair, NearCluster> ahead_;  // of stale candidates, made before they are asked for
-  std::set<Place> queue_;                     // candidates that are not certain to exceed the limit
+  std::set<Place> queue_;  // candidates that are not certain to exceed the limit
   std::vector<Class> classes_{1};
   Clustering made_;
 };

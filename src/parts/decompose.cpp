@@ -291,7 +291,6 @@ class Decomposer {
                                              .every_merge = request_.every_merge,
                                              .costs = request_.for_trace,
                                              .further = request_.for_tree,
-                                             .jobs = jobs_of(request_),
                                              .watch = watch});
     } else {
       SplitOptions options = split_options(watch);

@@ -24,7 +24,6 @@ void compare_engines(const Surface& surface, ClusterOptions options, Compared& a
   options.engine = Engine::Exact;
   const Clustering exact = cluster(surface, options);
   options.engine = Engine::Filtered;
-  options.jobs = 1 + all.runs % 3;
   const Clustering filtered = cluster(surface, options);
   CHECK(exact.merges == filtered.merges);
   CHECK(exact.clusters == filtered.clusters);
@@ -223,24 +222,4 @@ TEST_CASE("the filtered engine merges as the exact one does, on needles") {
     }
   }
   CHECK(all.merges > 100);
-}
-
-TEST_CASE("the filtered engine: the same merges and evaluations for any number of threads") {
-  std::mt19937 random(2026);
-  for (unsigned round = 0; round < 12; ++round) {
-    const Surface surface = make_surface(terrain(12, 8, 4, random() % 4, random));
-    ClusterOptions options = options_of(round);
-    options.engine = round % 4 == 3 ? Engine::Float : Engine::Filtered;
-    const Clustering alone = cluster(surface, options);
-    for (const std::size_t jobs : {2u, 3u, 8u}) {
-      CAPTURE(jobs);
-      options.jobs = jobs;
-      const Clustering made = cluster(surface, options);
-      CHECK(made.merges == alone.merges);
-      CHECK(made.clusters == alone.clusters);
-      CHECK(made.evaluations == alone.evaluations);
-      CHECK(made.exact_evaluations == alone.exact_evaluations);
-    }
-  }
-  CHECK_THROWS_AS((void)cluster(make_surface(terrain(2, 1, 1, 0, random)), {.jobs = 0}), Error);
 }
