@@ -138,6 +138,8 @@ struct HullRequest {
   bool exact_volume = false;  ///< The volume as a rational too.
   std::uint64_t seed = 1;     ///< Of every random order. The answer does not depend on it.
   StoreRequest store;
+  /// Threads, >= 1; as many as the machine has cores if it is not given. Nothing depends on it.
+  std::optional<std::size_t> jobs = {};
   StageWatch watch = {};  ///< Reports facets or edges as the progress of each measure.
 };
 
@@ -273,7 +275,9 @@ struct InnerRequest {
   /// Keep the exact cost of every step, for a trace. The exact engine and VerifyLevel::Full keep it
   /// in any case.
   bool costs = false;
-  bool mesh = false;      ///< Keep the result as a mesh in binary64.
+  bool mesh = false;  ///< Keep the result as a mesh in binary64.
+  /// Threads, >= 1; as many as the machine has cores if it is not given. Nothing depends on it.
+  std::optional<std::size_t> jobs = {};
   StageWatch watch = {};  ///< Reports removals as the progress of stage::kSimplify.
 };
 

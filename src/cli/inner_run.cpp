@@ -120,8 +120,9 @@ int run_inner(const SimplifyArguments& options) {
   options.output.require_room_for(scene.size());
   auto found = on_each_object<InnerResult>(
       std::move(scene), run.log(), options.jobs,
-      [&](const Shape& shape, std::size_t, const StageWatch& watch, std::size_t) {
+      [&](const Shape& shape, std::size_t, const StageWatch& watch, std::size_t jobs) {
         InnerRequest request = wanted;
+        request.jobs = jobs;
         request.watch = watch;
         return simplify_inner(std::get<PointSet>(shape), request);
       });

@@ -182,7 +182,7 @@ int run_on_inputs(const Arguments& options, Requests&& requests, Work&& work, An
         [&](const Shape& shape, std::size_t k, const StageWatch& watch, std::size_t jobs) {
           auto own = asked[k];
           own.watch = watch;
-          if constexpr (requires { own.jobs; }) own.jobs = jobs;
+          own.jobs = jobs;
           return work(shape, own);
         });
   };

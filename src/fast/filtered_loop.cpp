@@ -63,6 +63,7 @@ FilteredLoop::FilteredLoop(const FastDual& dual, const SimplifyOptions& options,
       left_(dual.size()),
       is_observed_(observer != nullptr) {
   if (options.faces < 4) throw Error(ErrorCode::InvalidArgument, "a solid has at least 4 faces");
+  require_threads(options.jobs);
   if (options.max_growth && options.growth_measure() != options.cost) {
     limited_cap_.emplace(dual, mesh_, options.growth_measure(), options.seed);
   }
@@ -124,6 +125,7 @@ Cost FilteredLoop::measure(CostMeasure kind) const {
 void FilteredLoop::look_at_some(FilteredCap& cap, std::span<const HalfspaceId> some,
                                 std::vector<FirstBounds>& found) const {
   for (const HalfspaceId i : some) {
+    options_.watch.ask();
     cap.prepare(i);
     found[i.index()].bounds = cap.in_doubles();
     if (terms_.empty()) continue;

@@ -7,6 +7,7 @@
 #include "hull/hull_observer.hpp"
 #include "hull/hull_steps.hpp"
 #include "number/arithmetic.hpp"
+#include "task/parallel.hpp"
 
 namespace convexact {
 namespace {
@@ -44,6 +45,7 @@ std::vector<Halfspace> equations_of(const std::vector<RationalPoint>& basis) {
 
 template <class Points>
 HullOutcome hull_of(Points points, const HullOptions& options) {
+  require_threads(options.jobs);
   const std::vector<PointId> basis = find_simplex(points);
   if (basis.size() < 4) {
     std::vector<RationalPoint> corners;

@@ -197,21 +197,21 @@ class IncrementalHull {
   // places on several threads first: that is most of the work, and none depends on another.
   template <class Find>
   void file_all(std::span<const PointId> points, const Find& find) {
-    constexpr std::size_t kTurn = 4096;
-    const std::size_t turns = points.size() / kTurn;
-    if (jobs_ == 1 || turns < 4) {
+    constexpr std::size_t kTurn = 4096, kFewest = 4 * kTurn;
+    if (jobs_ == 1 || points.size() < kFewest) {
       for (const PointId p : points) file(p, place(p, find(p)));
       return;
     }
-    places_.resize(points.size());
-    for_each_in_parallel(turns, jobs_, [&](std::size_t turn) {
+    places_.resize(4 * kTurn * jobs_);
+    for (std::size_t first = 0; first < points.size(); first += places_.size()) {
       watch_.ask();
-      const std::size_t end = turn + 1 < turns ? (turn + 1) * kTurn : points.size();
-      for (std::size_t k = turn * kTurn; k < end; ++k) {
-        places_[k] = place(points[k], find(points[k]));
-      }
-    });
-    for (std::size_t k = 0; k < points.size(); ++k) file(points[k], places_[k]);
+      const auto some = points.subspan(first, std::min(places_.size(), points.size() - first));
+      for_each_in_parallel((some.size() + kTurn - 1) / kTurn, jobs_, [&](std::size_t turn) {
+        const std::size_t end = std::min(some.size(), (turn + 1) * kTurn);
+        for (std::size_t k = turn * kTurn; k < end; ++k) places_[k] = place(some[k], find(some[k]));
+      });
+      for (std::size_t k = 0; k < some.size(); ++k) file(some[k], places_[k]);
+    }
   }
 
   void file(PointId p, const Place& at) {

@@ -119,8 +119,7 @@ LaidPart::LaidPart(const ConvexPart& convex, long exponent)
 Holders::Holders(const ScaledPoints& points, std::span<const LaidPart> parts, const BoxTree& tree,
                  const Watch& watch, std::size_t jobs)
     : holders_(points.size()) {
-  const auto find = [&](std::size_t i) {
-    std::vector<std::uint32_t> near;
+  const auto find = [&](std::size_t i, std::vector<std::uint32_t>& near) {
     tree.find(points.box(i), near);
     for (const std::uint32_t p : near) {
       bool is_held = true;
@@ -133,8 +132,9 @@ Holders::Holders(const ScaledPoints& points, std::span<const LaidPart> parts, co
   constexpr std::size_t kTogether = 256;
   for_each_in_parallel((points.size() + kTogether - 1) / kTogether, jobs, [&](std::size_t block) {
     watch.ask();
+    std::vector<std::uint32_t> near;
     const std::size_t end = std::min(points.size(), (block + 1) * kTogether);
-    for (std::size_t i = block * kTogether; i < end; ++i) find(i);
+    for (std::size_t i = block * kTogether; i < end; ++i) find(i, near);
   });
 }
 

@@ -31,7 +31,7 @@ class Walk {
         [&](std::size_t i, const Watch& quiet) {
           return i < triangles ? triangle(i, quiet) : facet(union_.facets()[i - triangles], quiet);
         },
-        [&](std::size_t i, Found&& found) { return visit(i, found); });
+        [&](std::size_t i, Found&& found) { return visit(i, found); }, 4);
   }
 
  private:
@@ -109,14 +109,10 @@ class Walk {
     return is_boundary(before, behind) ? std::optional(behind != 0) : std::nullopt;
   }
 
-  // Asked of a triangle with an area; without one, a patch bounds nothing.
+  // A triangle without area is a patch of its own, and bounds nothing.
   std::pair<long, long> beside_patch_of(std::size_t t) const {
-    if (const auto x = inside_of(t)) return winding_.beside(TriangleId(t), *x);
-    for (std::size_t other = 0; other < patches_.patch.size(); ++other) {
-      if (patches_.patch[other] != patches_.patch[t]) continue;
-      if (const auto x = inside_of(other)) return winding_.beside(TriangleId(other), *x);
-    }
-    return {0, 0};
+    const auto x = inside_of(t);
+    return x ? winding_.beside(TriangleId(t), *x) : std::pair(0L, 0L);
   }
 
   // Its centroid; nothing for a triangle without area.
@@ -130,7 +126,8 @@ class Walk {
 
   // Nothing crosses the triangle: its patch has the same winding numbers everywhere.
   Found plain_triangle(std::size_t t, Found found) const {
-    auto& [arrangement, pieces] = *found.rest;
+    Arrangement<3>& arrangement = found.rest->arrangement;
+    const std::vector<ConvexPiece<3>>& pieces = found.rest->pieces;
     const auto inside_of = [&](const ConvexPiece<3>& piece) {
       return arrangement.point(interior_of(arrangement, piece, 0));
     };

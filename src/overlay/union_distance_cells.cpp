@@ -84,7 +84,8 @@ class CellSearch {
   void run() {
     std::vector<DistanceCell> cells;
     for (std::size_t done = 0; done < kReachPieces; done += cells.size()) {
-      watch_.at(done, kReachPieces);
+      watch_.ask();
+      watch_.report(done, kReachPieces);
       cells.clear();
       while (cells.size() < kBatch && !queue_.empty() && queue_.top().size > 1 &&
              queue_.top().upper > lower_ + gap_) {
@@ -127,7 +128,8 @@ class CellSearch {
       watch_.ask();
       made.clear();
       made.resize(std::min(kBatch, count - first));
-      for_each_in_parallel(made.size(), jobs_,
+      const std::size_t jobs = made.size() < kBatch / 2 ? 1 : jobs_;  // few end at once
+      for_each_in_parallel(made.size(), jobs,
                            [&](std::size_t k) { made[k].emplace(make(first + k)); });
       for (std::optional<Made>& one : made) keep_one(std::move(*one));
     }
@@ -314,6 +316,7 @@ DirectedDistance union_to_surface(std::span<const ConvexPart> parts, const Surfa
                                   const Watch& watch, std::size_t jobs) {
   if (squared_diameter <= 0) throw Error(ErrorCode::InvalidArgument, "a diameter that is not > 0");
   if (surface.triangles.empty()) throw Error(ErrorCode::InvalidArgument, "a surface of nothing");
+  require_threads(jobs);
   const UnionDistance distance(parts);
   std::vector<BoundingBox> boxes{bounding_box(surface.points)};
   for (const ConvexPart& part : parts) boxes.push_back(part.box);

@@ -32,7 +32,8 @@ Measured union_volume(std::span<const ConvexPart> parts, long precision, bool ex
         [&](std::size_t, Term term) {
           if (term) sum.add(std::move(*term));
           return true;
-        });
+        },
+        4);
   };
   return measure_inside(bounding_box(ends).middle(), precision, exact, add_boundary);
 }

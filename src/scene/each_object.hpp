@@ -26,7 +26,7 @@ std::variant<std::vector<Result>, NotSolidPart> on_each(std::size_t count,
                                                         const StageWatch& watch, const Work& work) {
   constexpr const char* kStage = "objects";
   const std::size_t jobs = threads.value_or(all_cores());
-  const bool alone = jobs == 1 || count == 1;
+  const bool alone = jobs == 1 || count <= 1;
   if (!alone && watch.begins) watch.begins(kStage);
   const StageWatch quiet = watch.without_reports();
   const Watch together = alone ? Watch(watch.stop) : watch.of(kStage);

@@ -5,6 +5,7 @@
 #include "convexact/simplify.hpp"
 #include "number/precision.hpp"
 #include "solid/solid.hpp"
+#include "task/parallel.hpp"
 
 namespace convexact {
 namespace {
@@ -63,8 +64,10 @@ HullReport measure_hull(const Shape& shape, const HullRequest& request) {
   if (request.digits < 1 || request.digits > kMostDigits) {
     throw Error(ErrorCode::InvalidArgument, "digits: expected 1 to " + std::to_string(kMostDigits));
   }
+  require_threads(request.jobs);
   StageLog log(request.watch);
-  SolidOutcome outcome = make_solid(shape, {.seed = request.seed, .wants_dual = false}, log);
+  SolidOutcome outcome =
+      make_solid(shape, {.seed = request.seed, .wants_dual = false, .jobs = jobs_of(request)}, log);
   if (const auto* reason = std::get_if<NotSolid>(&outcome)) return *reason;
   auto& made = std::get<Solid>(outcome);
   const BoundingBox box = bounding_box(made.polytope.vertices);

@@ -9,6 +9,7 @@
 #include "number/precision.hpp"
 #include "simplify/exact_inner.hpp"
 #include "solid/solid.hpp"
+#include "task/parallel.hpp"
 
 namespace convexact {
 namespace {
@@ -112,9 +113,13 @@ InnerResult finish(const PointSet& points, const Hull& hull, InnerResult result,
 
 InnerOutcome simplify_inner(const PointSet& points, const InnerRequest& request) {
   require_sensible(request);
+  require_threads(request.jobs);
   StageLog log(request.watch);
-  auto outcome =
-      make_hull(points, {.seed = request.seed, .check = request.verify == VerifyLevel::Full}, log);
+  auto outcome = make_hull(points,
+                           {.seed = request.seed,
+                            .check = request.verify == VerifyLevel::Full,
+                            .jobs = jobs_of(request)},
+                           log);
   if (const auto* reason = std::get_if<NotSolid>(&outcome)) return *reason;
   const Hull& hull = std::get<Hull>(outcome);
   InnerResult result;

@@ -165,17 +165,19 @@ SceneOutcome simplify_scene(std::span<const Shape> shapes, const SceneRequest& r
     }
     return run_shared(runs, options_of(request, parts));
   });
-  const auto finish = [&](std::size_t k, const Watch&) {
-    PreparedPart& part = parts[k];
-    RunEnd own = ends[k]->finish(end.stop, part.log);
-    own.growth_bits = end.growth_bits;
-    return finish_run(*part.input, std::move(*part.before), std::move(own), part.request, part.log);
-  };
-  const auto take = [&](std::size_t, SimplifyResult result) {
-    scene.parts.push_back(std::move(result));
-    return true;
-  };
-  take_in_order(parts.size(), jobs_of(request.each), log.watch("proofs"), finish, take, 1);
+  const std::size_t jobs = jobs_of(request.each);
+  const bool together = jobs > 1 && parts.size() > 1;  // otherwise the stages of each are told
+  if (together && log.watch().begins) log.watch().begins("proofs");
+  std::vector<std::optional<SimplifyResult>> results(parts.size());
+  for_each_in_parallel(parts.size(), jobs, together ? log.watch("proofs") : log.watch().stop,
+                       [&](std::size_t k, const Watch&) {
+                         PreparedPart& part = parts[k];
+                         RunEnd own = ends[k]->finish(end.stop, part.log);
+                         own.growth_bits = end.growth_bits;
+                         results[k] = finish_run(*part.input, std::move(*part.before),
+                                                 std::move(own), part.request, part.log);
+                       });
+  for (std::optional<SimplifyResult>& result : results) scene.parts.push_back(std::move(*result));
   scene.order = std::move(end.order);
   scene.stop = end.stop;
   scene.growth_bits = end.growth_bits;

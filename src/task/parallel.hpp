@@ -29,6 +29,9 @@ void for_each_in_parallel(std::size_t count, std::size_t jobs,
 void for_each_in_parallel(std::size_t count, std::size_t jobs, const Watch& watch,
                           const std::function<void(std::size_t, const Watch&)>& work);
 
+/// @throws Error InvalidArgument for no thread at all.
+void require_threads(std::optional<std::size_t> jobs);
+
 /// What a function returned, or threw: found on one thread, told on another.
 template <class Value>
 class Attempt {
@@ -59,27 +62,37 @@ class Attempt {
 /// make(i) returns must depend on i alone: then take() gets the same for any number of threads.
 /// @param watch  Asked before each, and told how many are taken. make() gets it without reports.
 /// @param turn   How many a thread makes before it asks for more: several, if they are quick.
-/// @throws       What make(i) threw, if no take() before it ended the loop; what take() throws.
+/// @throws       What make(i) threw, if no take() before it ended the loop; what take() throws;
+///               Error InvalidArgument without a thread.
 template <class Make, class Take>
 void take_in_order(std::size_t count, std::size_t jobs, const Watch& watch, const Make& make,
                    const Take& take, std::size_t turn = 16) {
-  constexpr std::size_t kInAdvance = 64;  // for each thread; what they return waits in memory
-  const std::size_t together = jobs == 1 ? 1 : kInAdvance * jobs;
+  require_threads(jobs);
+  constexpr std::size_t kInAdvance = 64;  // at most, for each thread; what they return waits
   const Watch quiet = watch.without_reports();
   using Made = decltype(make(std::size_t{}, quiet));
   std::vector<Attempt<Made>> made;
-  for (std::size_t first = 0; first < count; first += together) {
+  // Few at first, as the first that is taken may end it.
+  std::size_t together = jobs == 1 ? 1 : jobs * turn;
+  for (std::size_t first = 0; first < count; first += made.size()) {
+    if (first > 0 && jobs > 1) together = std::min(2 * together, kInAdvance * jobs);
     made.clear();
     made.resize(std::min(together, count - first));
-    for_each_in_parallel((made.size() + turn - 1) / turn, jobs, [&](std::size_t number) {
-      const std::size_t end = std::min(made.size(), (number + 1) * turn);
-      for (std::size_t k = number * turn; k < end; ++k) {
-        quiet.ask();
-        made[k].set([&] { return make(first + k, quiet); });
-      }
-    });
+    const auto tell = [&](std::size_t turns) {
+      const std::size_t done = first + std::min(turns * turn, made.size());
+      if (jobs > 1 || done % 256 == 0) watch.report(done, count);
+    };
+    for_each_in_parallel((made.size() + turn - 1) / turn, jobs,
+                         [&](std::size_t number) {
+                           const std::size_t end = std::min(made.size(), (number + 1) * turn);
+                           for (std::size_t k = number * turn; k < end; ++k) {
+                             quiet.ask();
+                             made[k].set([&] { return make(first + k, quiet); });
+                           }
+                         },
+                         tell);
     for (std::size_t k = 0; k < made.size(); ++k) {
-      watch.at(first + k, count);
+      watch.ask();
       if (!take(first + k, std::move(made[k].get()))) return;
     }
   }
@@ -87,9 +100,6 @@ void take_in_order(std::size_t count, std::size_t jobs, const Watch& watch, cons
 
 /// As many threads as this machine runs at the same time, at least 1.
 [[nodiscard]] std::size_t all_cores();
-
-/// @throws Error InvalidArgument for no thread at all.
-void require_threads(std::optional<std::size_t> jobs);
 
 /// Of a request with `jobs`, which mean all cores where they are not given.
 template <class Request>

@@ -4,6 +4,9 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
+#include <atomic>
+
 #include "checked_hull.hpp"
 #include "property.hpp"
 #include "shapes/makers.hpp"
@@ -113,4 +116,29 @@ TEST_CASE("convex_hull: rationals that are no doubles") {
     RC_ASSERT(check_hull(std::get<Hull>(outcome), points));
     RC_ASSERT(has_defined_facets(std::get<Hull>(outcome), points));
   });
+}
+
+TEST_CASE("convex_hull: the same hull and proofs for any number of threads") {
+  std::vector<Point> points = shapes::in_ball(40000, 5);
+  points.insert(points.end(), points.begin(), points.begin() + 3000);  // repeated
+  const PointSet set(points);
+  const Hull alone = checked_hull(set);
+  for (const std::size_t jobs : {2u, 3u, 8u}) {
+    CAPTURE(jobs);
+    const Hull made = std::get<Hull>(convex_hull(set, {.jobs = jobs}));
+    CHECK(made.vertices == alone.vertices);
+    REQUIRE(made.facets.size() == alone.facets.size());
+    for (std::size_t f = 0; f < made.facets.size(); ++f) {
+      CHECK(std::ranges::equal(made.facets[f], alone.facets[f]));
+    }
+    const auto& proofs = made.certificate.inside;
+    REQUIRE(proofs.size() == alone.certificate.inside.size());
+    for (std::size_t k = 0; k < proofs.size(); ++k) {
+      CHECK(proofs[k].point == alone.certificate.inside[k].point);
+      CHECK(proofs[k].triangle == alone.certificate.inside[k].triangle);
+    }
+    std::atomic<bool> stop = true;
+    CHECK_THROWS_AS((void)convex_hull(set, {.jobs = jobs, .watch = &stop}), Error);
+  }
+  CHECK_THROWS_AS((void)convex_hull(set, {.jobs = 0}), Error);
 }

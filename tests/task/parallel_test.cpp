@@ -178,6 +178,12 @@ TEST_CASE("take_in_order: what is behind the end is not told of, not even its fa
   }
 }
 
+TEST_CASE("take_in_order: no thread is refused") {
+  const auto make = [](std::size_t i, const Watch&) { return i; };
+  const auto take = [](std::size_t, std::size_t) { return true; };
+  CHECK_THROWS_AS(take_in_order(5, 0, {}, make, take), Error);
+}
+
 TEST_CASE("take_in_order: a watch ends it, and is told") {
   for (const std::size_t jobs : {1u, 3u}) {
     std::atomic<bool> stop = false;
@@ -195,6 +201,6 @@ TEST_CASE("take_in_order: a watch ends it, and is told") {
       return true;
     };
     CHECK_THROWS_AS(take_in_order(5000, jobs, watch, make, stop_at), Error);
-    CHECK(told == 4);  // once in 256
+    CHECK(told >= 3);  // alone, once in 256
   }
 }

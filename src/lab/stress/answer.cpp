@@ -183,6 +183,7 @@ void answer_for(const Shape& shape, const Question& question, EngineAnswer& answ
   request.engine = question.engine;
   request.cost = question.cost;
   request.seed = question.seed;
+  request.jobs = 1;  // threads reserve addresses, of which the process has a limit
   request.trace = question.engine == Engine::Exact;
   Polytope result = run_pipeline(shape, request, answer);
   if (question.engine != Engine::Exact) take_lean_run(shape, solid, question, faces, answer);
