@@ -68,7 +68,8 @@ int run_hull(const HullArguments& options) {
   request.seed = options.global.seed;
   request.store = options.output.store_request();
   return run_on_inputs<HullResult>(
-      options, [&](const auto& scene) { return std::vector<HullRequest>(scene.size(), request); },
+      options, options.jobs,
+      [&](const auto& scene) { return std::vector<HullRequest>(scene.size(), request); },
       measure_hull,
       [&](const MeasuredHulls& objects) {
         return CommandAnswer{[&] { return document_of(objects, request.digits); },

@@ -172,17 +172,19 @@ int run_on_scene(const Arguments& options, Find&& find, Answer&& answer) {
 }
 
 /// The same with `work` on each object.
+/// @param jobs      Of on_each().
 /// @param requests  From all objects to a list with the request for each of them.
 template <class Result, class Arguments, class Requests, class Work, class Answer>
-int run_on_inputs(const Arguments& options, Requests&& requests, Work&& work, Answer&& answer) {
+int run_on_inputs(const Arguments& options, std::optional<std::size_t> jobs, Requests&& requests,
+                  Work&& work, Answer&& answer) {
   const auto find = [&](std::vector<SceneObject> scene, StageLog& log, const StageWatch&) {
     const auto asked = requests(scene);
     return on_each_object<Result>(
-        std::move(scene), log, options.jobs,
-        [&](const Shape& shape, std::size_t k, const StageWatch& watch, std::size_t jobs) {
+        std::move(scene), log, jobs,
+        [&](const Shape& shape, std::size_t k, const StageWatch& watch, std::size_t threads) {
           auto own = asked[k];
           own.watch = watch;
-          own.jobs = jobs;
+          own.jobs = threads;
           return work(shape, own);
         });
   };

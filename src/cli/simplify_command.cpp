@@ -111,7 +111,9 @@ int run_each(const SimplifyArguments& options, const SimplifyRequest& request) {
     return each;
   };
   const std::optional<FoundTotals> none;
-  return run_on_inputs<SimplifyResult>(options, requests, simplify, [&](const auto& objects) {
+  // One search after another, as an interrupt ends the one that is going on with the best so far.
+  const auto jobs = request.search.kind == SearchKind::None ? options.jobs : 1;
+  return run_on_inputs<SimplifyResult>(options, jobs, requests, simplify, [&](const auto& objects) {
     return answer_of(objects, none, options);
   });
 }

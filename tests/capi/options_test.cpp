@@ -141,8 +141,9 @@ TEST_CASE("C interface: every option of the tables is one of the function") {
   texts["claims"] = "claims=covers-solid,tree-nested";
   CHECK(known_to(judge_parts_with) ==
         tried_names(judge_parts_with, of_parts, texts) + ", " +
-            tried_names(judge_parts_with, parts_fields(),
-                        {{"distance", "distance=3%"}, {"max_parts", "max_parts=1"}}));
+            tried_names(
+                judge_parts_with, parts_fields(),
+                {{"distance", "distance=3%"}, {"max_parts", "max_parts=1"}, {"jobs", "jobs=2"}}));
   CHECK(known_to(tree_with) == tried_names(tree_with, tree_fields(),
                                            {{"faces", "faces=6"}, {"leaf_faces", "leaf_faces=6"}}));
 }
