@@ -69,14 +69,7 @@ class CellSearch {
 
   void add_cells(std::span<const DistanceCell> cells) {
     in_batches<Judged>(
-        cells.size(),
-        [&](std::size_t k) {
-          std::array<const Site*, 4> corners{};
-          for (std::uint32_t c = 0; c < cells[k].size; ++c) {
-            corners[c] = &sites_[cells[k].corners[c]];
-          }
-          return judge(cells[k], std::span(corners).first(cells[k].size));
-        },
+        cells.size(), [&](std::size_t k) { return judge(cells[k], corners_of(cells[k])); },
         [&](Judged judged) { keep(std::move(judged)); });
   }
 
@@ -181,7 +174,15 @@ class CellSearch {
     return *site.is_outside;
   }
 
-  Judged judge(DistanceCell cell, std::span<const Site* const> corners) const {
+  using Corners = std::array<const Site*, 4>;  // as many as the cell has
+  Corners corners_of(const DistanceCell& cell) const {
+    Corners corners{};
+    for (std::uint32_t c = 0; c < cell.size; ++c) corners[c] = &sites_[cell.corners[c]];
+    return corners;
+  }
+
+  Judged judge(DistanceCell cell, const Corners& all) const {
+    const auto corners = std::span(all).first(cell.size);
     Point middle = Point::Zero();
     for (const Site* corner : corners) middle += corner->y;
     middle /= cell.size;
@@ -246,10 +247,9 @@ class CellSearch {
     const Site& b = sites_[cell.corners[to]];
     const Site middle = site_at((a.y + b.y) / 2, a.part);
     const auto half = [&](std::uint32_t gone) {
-      std::array<const Site*, 4> corners{};
-      for (std::uint32_t c = 0; c < cell.size; ++c) corners[c] = &sites_[cell.corners[c]];
+      Corners corners = corners_of(cell);
       corners[gone] = &middle;
-      return judge(cell, std::span(corners).first(cell.size));
+      return judge(cell, corners);
     };
     return {middle, {half(from), half(to)}, {from, to}};
   }
