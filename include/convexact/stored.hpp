@@ -29,16 +29,19 @@ struct Growth {
 
 /// The points that lie strictly outside at least one of the halfspaces, ascending. By the
 /// definition of containment alone, without a hull, a dual or a certificate.
+/// @param jobs  Threads, at least 1, on which the answer does not depend.
 /// @throws Error Stopped when the watch ends it.
 /// @par Cost  One product n.x in doubles for each halfspace and block of 128 points, if its proven
-/// error bound decides the block's box; otherwise one for each pair; exact arithmetic only where
-/// that leaves the sign open.
+/// error bound decides the block's box (of many halfspaces one for each 32 with neighbouring
+/// normals, if that does); otherwise one for each pair; exact arithmetic only where that leaves the
+/// sign open.
 [[nodiscard]] std::vector<PointId> find_outside(std::span<const Halfspace> halfspaces,
-                                                const PointSet& points, const Watch& watch = {});
+                                                const PointSet& points, const Watch& watch = {},
+                                                std::size_t jobs = 1);
 
 /// The number of these points.
 [[nodiscard]] std::size_t count_outside(std::span<const Halfspace> halfspaces,
-                                        const PointSet& points);
+                                        const PointSet& points, std::size_t jobs = 1);
 
 /// Halfspaces n.x + d <= 0 whose numbers are all of the format `precision`, proven on these very
 /// numbers to be bounded and to hold every input point.

@@ -47,7 +47,7 @@ def _shape(points: Any, planes: Any) -> tuple[Any, Any]:
 
 def hull(
     points: Any = None, *, planes: Any = None, measures: Sequence[str] = ("volume", "area", "mean_width"), digits: int = 10,
-    progress: Any = None,
+    progress: Any = None, jobs: int | None = None,
 ) -> Hull:
     """The exact convex hull of points, or the solid that halfspaces bound.
 
@@ -58,6 +58,7 @@ def hull(
         Halfspaces n1 x + n2 y + n3 z + d <= 0, instead of points.
     measures : names out of volume, area, mean_width and inertia (for `mass`)
     digits : certain digits of area and mean width
+    jobs : how many threads, by default as many as there are cores; nothing depends on it
     progress : True, or a callable of stage, done and total
 
     Raises
@@ -73,14 +74,15 @@ def hull(
     if unknown:
         raise InvalidArgument(f"measures: expected volume, area, mean_width and inertia, found {sorted(unknown)}")
     rows, halfspaces = _shape(points, planes)
-    return Hull(_core.hull(rows, halfspaces, list(measures), digits, _inputs.progress(progress)))
+    threads = None if jobs is None else _inputs.count(jobs, "jobs")
+    return Hull(_core.hull(rows, halfspaces, list(measures), digits, threads, _inputs.progress(progress)))
 
 
 def simplify(
     points: Any = None, faces: int | None = None, *, planes: Any = None, max_growth: Any = None, cost: str | None = None,
     engine: str | None = None, search: str | None = None, verify: str | None = None, seed: int | None = None,  # pylint: disable=redefined-outer-name
     growth_of: str | None = None, keep: Mapping[str, Any] | None = None, precision: int | None = None, trace: bool = False,
-    record: bool = False, progress: Any = None, moves: int | None = None, nodes: int | None = None,
+    record: bool = False, progress: Any = None, moves: int | None = None, nodes: int | None = None, jobs: int | None = None,
 ) -> Simplified:
     """Few halfspaces that hold every point: the facets of the hull, less the ones whose removal adds least.
 
@@ -98,6 +100,7 @@ def simplify(
     moves, nodes : how many random exchanges 'local' tries (20), and how many states 'optimal' examines at most
     precision : 64 or 32, in which `mesh` is stored; for float32 input 32
     trace, record : keep what trace() and proof() need
+    jobs : how many threads, by default as many as there are cores; nothing depends on it
 
     Raises
     ------
@@ -115,14 +118,14 @@ def simplify(
     rows, halfspaces, polygons = _shape_with_faces(points, planes)
     given = {"faces": faces, "max_growth": max_growth, "growth_of": growth_of, "cost": cost, "engine": engine, "search": search,
              "moves": moves, "nodes": nodes, "verify": verify, "seed": seed, "precision": precision, "trace": trace or None,
-             "record": record or None}
+             "record": record or None, "jobs": jobs}
     return Simplified(_core.simplify(rows, halfspaces, _inputs.options(given), _inputs.keep(keep, polygons),
                                      _inputs.progress(progress)))
 
 
 def simplify_scene(
     objects: Sequence[Any], faces: int, *, keep: Sequence[Mapping[str, Any] | None] | None = None, max_growth: Any = None,
-    cost: str | None = None, engine: str | None = None, progress: Any = None,
+    cost: str | None = None, engine: str | None = None, progress: Any = None, jobs: int | None = None,
 ) -> Scene:
     """Encloses several objects, each in halfspaces of its own, with one number of halfspaces for all of them.
 
@@ -132,13 +135,14 @@ def simplify_scene(
     faces : how many halfspaces to keep in all objects together, at least 4 for each
     keep : by object, as in simplify()
     max_growth : as in simplify(), of the sum over all objects
+    jobs : as in simplify()
 
     >>> import convexact as cx
     >>> scene = cx.simplify_scene([cx.generate("random-ball", seed) for seed in (1, 2)], faces=20)
     >>> sum(len(each.exact_planes) for each in scene)
     20
     """
-    given = _inputs.options({"max_growth": max_growth, "cost": cost, "engine": engine})
+    given = _inputs.options({"max_growth": max_growth, "cost": cost, "engine": engine, "jobs": jobs})
     shapes = [_inputs.mesh(each, f"objects[{k}]") for k, each in enumerate(objects)]
     if keep is not None and len(keep) != len(shapes):
         raise InvalidArgument(f"keep: expected an entry for each of {len(shapes)} objects, found {len(keep)}")
@@ -148,7 +152,7 @@ def simplify_scene(
 
 def inner(
     points: Any, vertices: int | None = None, *, max_loss: Any = None, engine: str | None = None,
-    verify: str | None = None, progress: Any = None,  # pylint: disable=redefined-outer-name
+    verify: str | None = None, progress: Any = None, jobs: int | None = None,  # pylint: disable=redefined-outer-name
 ) -> Inner:
     """A solid inside the hull: few of its vertices, removed one by one where the least volume is lost.
 
@@ -157,9 +161,10 @@ def inner(
     points : as hull()
     vertices : how many to keep, at least 4
     max_loss : the share of the volume that may be lost; instead of `vertices`, or besides
+    jobs : as in simplify()
     """
     rows, _ = _inputs.mesh(points, "points")
-    given = {"vertices": vertices, "max_loss": max_loss, "engine": engine, "verify": verify}
+    given = {"vertices": vertices, "max_loss": max_loss, "engine": engine, "verify": verify, "jobs": jobs}
     return Inner(_core.inner(rows, _inputs.options(given), _inputs.progress(progress)))
 
 

@@ -341,7 +341,7 @@ class Part:
     @cached_property
     def planes(self) -> Array:
         """(m, 4) in doubles, rounded outward: proven to hold every vertex."""
-        planes: Array = _core.hull(self.vertices, None, [], 1, None).planes()
+        planes: Array = _core.hull(self.vertices, None, [], 1, None, None).planes()
         return planes
 
     def __repr__(self) -> str:

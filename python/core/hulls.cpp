@@ -29,7 +29,7 @@ struct Hull {
 };
 
 Hull hull(const Shape& shape, const std::vector<std::string>& measures, int digits,
-          const py::object& progress) {
+          std::optional<std::size_t> jobs, const py::object& progress) {
   const auto is_wanted = [&](const char* name) { return std::ranges::count(measures, name) > 0; };
   HullRequest request;
   request.volume = request.exact_volume = is_wanted("volume");
@@ -37,6 +37,7 @@ Hull hull(const Shape& shape, const std::vector<std::string>& measures, int digi
   request.mean_width = is_wanted("mean_width");
   request.inertia = is_wanted("inertia");
   request.digits = digits;
+  request.jobs = jobs;
   return {require_solid(interruptible(size_of(shape), progress, [&](const StageWatch& watch) {
     request.watch = watch;
     return measure_hull(shape, request);
@@ -178,11 +179,11 @@ void add_hulls(py::module_& module) {
            })
       .def("picture", [](const Hull& h) { return picture_of(h.result.solid, "Hull"); })
       .def("json", [](const Hull& h) { return to_json(h.result, 10, -1); });
-  module.def("hull",
-             [](const py::object& points, const py::object& planes,
-                const std::vector<std::string>& measures, int digits, const py::object& progress) {
-               return hull(shape_of(points, planes), measures, digits, progress);
-             });
+  module.def("hull", [](const py::object& points, const py::object& planes,
+                        const std::vector<std::string>& measures, int digits,
+                        std::optional<std::size_t> jobs, const py::object& progress) {
+    return hull(shape_of(points, planes), measures, digits, jobs, progress);
+  });
 
   py::class_<Simplified>(module, "Simplified")
       .def("vertices", [](const Simplified& s) { return texts_of(s.result.solid.exact.vertices); })

@@ -164,6 +164,8 @@ def test_simplified_solids_hold_every_point(engine: Any) -> None:
     for n1, n2, n3, d in small.exact_planes:
         assert all(n1 * Fraction(x) + n2 * Fraction(y) + n3 * Fraction(z) + d <= 0 for x, y, z in points.tolist())
     assert cx.verify(points, small.planes).ok
+    alone = cx.simplify(points, faces=10, engine=engine, jobs=1)
+    assert alone.exact_planes == small.exact_planes and cx.hull(points, jobs=1).volume == cx.hull(points, jobs=2).volume
     stored = cx.simplify(points.astype(np.float32), faces=10)
     assert (stored.mesh[0] == stored.mesh[0].astype(np.float32)).all()
     assert cx.verify(points.astype(np.float32), stored.mesh).ok

@@ -119,7 +119,7 @@ int run_inner(const SimplifyArguments& options) {
   }
   options.output.require_room_for(scene.size());
   auto found = on_each_object<InnerResult>(
-      std::move(scene), run.log(), options.jobs,
+      std::move(scene), run.log(), wanted.jobs,
       [&](const Shape& shape, std::size_t, const StageWatch& watch, std::size_t jobs) {
         InnerRequest request = wanted;
         request.jobs = jobs;

@@ -22,7 +22,6 @@ struct SimplifyArguments {
   std::optional<std::size_t> total_faces;
   std::vector<std::string> keep;
   bool exact_values = false;
-  std::optional<std::size_t> jobs;
   ImplicitOptions implicit;
   StdioOptions stdio;
 };

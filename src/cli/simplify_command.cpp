@@ -57,7 +57,6 @@ SimplifyRequest request_of(const SimplifyArguments& options) {
   SimplifyRequest request = simplify_request(options.given);
   if (options.total_faces) require_scene(options, request);
   request.exact_volumes = options.exact_values;
-  request.jobs = options.jobs;
   request.trace = !options.output.trace.empty();
   request.record = !options.output.proof.empty();
   request.seed = options.global.seed;
@@ -112,7 +111,7 @@ int run_each(const SimplifyArguments& options, const SimplifyRequest& request) {
   };
   const std::optional<FoundTotals> none;
   // One search after another, as an interrupt ends the one that is going on with the best so far.
-  const auto jobs = request.search.kind == SearchKind::None ? options.jobs : 1;
+  const auto jobs = request.search.kind == SearchKind::None ? request.jobs : 1;
   return run_on_inputs<SimplifyResult>(options, jobs, requests, simplify, [&](const auto& objects) {
     return answer_of(objects, none, options);
   });
@@ -215,7 +214,7 @@ void add_simplify_command(Command& program, int& exit_code) {
   add_options({"engine", "search", "moves", "nodes", "verify", "center"});
   command.add_flag("--exact-values", options->exact_values,
                    "with --json: volumes as fractions too");
-  add_jobs_option(command, options->jobs);
+  add_options({"jobs"});
   add_inner_options(command, *options);
   add_implicit_options(command, options->implicit);
   add_stdio_options(command, options->stdio, "one result");

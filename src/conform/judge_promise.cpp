@@ -10,6 +10,7 @@
 #include "convexact/measure.hpp"
 #include "convexact/number.hpp"
 #include "convexact/verify.hpp"
+#include "geometry/area_vector.hpp"
 #include "oracle/solid/excess.hpp"
 #include "oracle/solid/mesh_surface.hpp"
 

@@ -4,6 +4,7 @@
 
 #include "convexact/error.hpp"
 #include "convexact/geometry.hpp"
+#include "geometry/area_vector.hpp"
 #include "number/arithmetic.hpp"
 
 namespace convexact {
@@ -21,59 +22,17 @@ Halfspace::Halfspace(IntegerVector3 normal, Integer offset)
 
 namespace {
 
-// x 2^-exponent, an integer. Precondition: exponent <= unit_exponent(x).
-Integer scaled_to_integer(double x, int exponent) {
-  if (x == 0) return 0;
-  const int own = unit_exponent(x);
-  Integer value(static_cast<long long>(std::ldexp(x, -own)));
-  return value << static_cast<unsigned>(own - exponent);
+// n/g in doubles, for numbers that they can hold: truncating both moves it by less than 2^-52 of
+// itself each, the quotient by 2^-53. Beyond them it is infinite or NaN, far below 1 less exact.
+double near_quotient(const Integer& n, const Integer& g) {
+  return mpz_get_d(raw(n)) / mpz_get_d(raw(g));
 }
 
-IntegerVector3 scaled_to_integer(const Point& p, int exponent) {
-  return {scaled_to_integer(p[0], exponent), scaled_to_integer(p[1], exponent),
-          scaled_to_integer(p[2], exponent)};
+// Whether two such quotients differ by more than they may be off together; never for NaN.
+bool surely_differ(double x, double y) {
+  constexpr double kTwoErrors = 0x1p-49, kFarBelowOne = 0x1p-900;
+  return std::abs(x - y) > kTwoErrors * std::max(std::abs(x), std::abs(y)) + kFarBelowOne;
 }
-
-constexpr int kAboveAll = 4096;  // above every exponent of a double
-
-IntegerVector3 normal_through(const Point& a, const Point& b, const Point& c, int exponent) {
-  const IntegerVector3 first = scaled_to_integer(a, exponent);
-  const IntegerVector3 u = scaled_to_integer(b, exponent) - first;
-  const IntegerVector3 v = scaled_to_integer(c, exponent) - first;
-  return u.cross(v);
-}
-
-#ifdef __SIZEOF_INT128__
-__extension__ using Wide = __int128;
-__extension__ using UnsignedWide = unsigned __int128;
-
-Integer to_integer(Wide x) {
-  const auto magnitude = x < 0 ? -static_cast<UnsignedWide>(x) : static_cast<UnsignedWide>(x);
-  const std::uint64_t words[] = {static_cast<std::uint64_t>(magnitude),
-                                 static_cast<std::uint64_t>(magnitude >> 64)};
-  Integer value;
-  mpz_import(value.backend().data(), 2, -1, sizeof words[0], 0, 0, words);
-  return x < 0 ? Integer(-value) : value;
-}
-
-// (b - a) x (c - a) for points whose coordinates times 2^-exponent are integers below 2^61:
-// differences are below 2^62, products below 2^124, and their differences below 2^125.
-IntegerVector3 short_normal_through(const Point& a, const Point& b, const Point& c, int exponent) {
-  const auto scaled = [&](double x) { return static_cast<Wide>(std::ldexp(x, -exponent)); };
-  Wide u[3], v[3];
-  for (int k = 0; k < 3; ++k) {
-    const Wide origin = scaled(a[k]);
-    u[k] = scaled(b[k]) - origin;
-    v[k] = scaled(c[k]) - origin;
-  }
-  return {to_integer(u[1] * v[2] - u[2] * v[1]), to_integer(u[2] * v[0] - u[0] * v[2]),
-          to_integer(u[0] * v[1] - u[1] * v[0])};
-}
-#else  // compilers for 32-bit machines have no integers of 128 bits
-IntegerVector3 short_normal_through(const Point& a, const Point& b, const Point& c, int exponent) {
-  return normal_through(a, b, c, exponent);
-}
-#endif
 
 }  // namespace
 
@@ -91,19 +50,7 @@ Halfspace Halfspace::through(const RationalPoint& a, const RationalPoint& b,
 
 Halfspace Halfspace::through(const Point& a, const Point& b, const Point& c) {
   // With P = p * 2^-e integer: N.P + D = 0 means (N 2^-e).p + D = 0, so one shift undoes the scale.
-  int exponent = kAboveAll, highest = -kAboveAll;
-  for (const Point* p : {&a, &b, &c}) {
-    for (int k = 0; k < 3; ++k) {
-      if ((*p)[k] == 0) continue;
-      exponent = std::min(exponent, unit_exponent((*p)[k]));
-      highest = std::max(highest, unit_exponent((*p)[k]));
-    }
-  }
-  // A mantissa is below 2^53, so up to 2^8 times that is below 2^61.
-  constexpr int kShortSpread = 8;
-  IntegerVector3 normal = highest - exponent <= kShortSpread
-                              ? short_normal_through(a, b, c, exponent)
-                              : normal_through(a, b, c, exponent);
+  auto [normal, exponent] = scaled_normal(a, b, c);
   const IntegerVector3 first = scaled_to_integer(a, exponent);
   Integer offset = -dot(normal, first);
   if (exponent >= 0) {
@@ -127,11 +74,12 @@ Integer plane_value(const Halfspace& h, const HomogeneousPoint& p) {
 
 std::strong_ordering operator<=>(const Halfspace& a, const Halfspace& b) {
   // n_a/g_a against n_b/g_b without dividing; both g are positive.
+  const bool is_same_gcd = a.normal_gcd_ == b.normal_gcd_;
   const auto compare = [&](const Integer& x, const Integer& y) {
-    const int c = a.normal_gcd_ == b.normal_gcd_
-                      ? x.compare(y)
-                      : Integer(x * b.normal_gcd_).compare(Integer(y * a.normal_gcd_));
-    return c <=> 0;
+    if (is_same_gcd) return x.compare(y) <=> 0;
+    const double near_x = near_quotient(x, a.normal_gcd_), near_y = near_quotient(y, b.normal_gcd_);
+    if (surely_differ(near_x, near_y)) return near_x < near_y ? -1 <=> 0 : 1 <=> 0;
+    return Integer(x * b.normal_gcd_).compare(Integer(y * a.normal_gcd_)) <=> 0;
   };
   for (int k = 0; k < 3; ++k) {
     if (const auto order = compare(a.normal_[k], b.normal_[k]); order != 0) return order;

@@ -97,14 +97,14 @@ Measured measure_volume(const Polytope& polytope, bool exact) {
 }
 
 // The final test, by the definition of containment alone. Returns how many points were tested.
-std::size_t verify_containment(const PointSet& points, const Polytope& result, VerifyLevel level,
-                               StageLog& log) {
-  if (level == VerifyLevel::None) {
+std::size_t verify_containment(const PointSet& points, const Polytope& result,
+                               const SimplifyRequest& request, StageLog& log) {
+  if (request.verify == VerifyLevel::None) {
     log.skip("containment", "no verification was requested");
     return 0;
   }
-  const std::size_t outside =
-      log.run("containment", [&] { return count_outside(result.planes, points); });
+  const std::size_t outside = log.run(
+      "containment", [&] { return count_outside(result.planes, points, jobs_of(request)); });
   if (outside != 0) {
     throw Error(ErrorCode::Internal,
                 fmt::format("{} input points lie outside the result", outside));
@@ -331,7 +331,7 @@ SimplifyResult finish_run(RunInput& input, InputMeasures before, RunEnd end,
   OutputMeasures after = measure_output(end.polytope, before, request, log);
   const PointSet& points = solid ? solid->points : std::get<PointSet>(input.shape);
   const std::vector<PointId>& extreme = solid ? solid->extreme : input.hull->vertices;
-  const std::size_t tested = verify_containment(points, end.polytope, request.verify, log);
+  const std::size_t tested = verify_containment(points, end.polytope, request, log);
   Stored stored = store(std::move(end.polytope), points, extreme, request.store, log);
   return SimplifyResult{
       .input_points = solid ? solid->input_points : points.size(),

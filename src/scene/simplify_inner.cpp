@@ -92,8 +92,9 @@ InnerResult finish(const PointSet& points, const Hull& hull, InnerResult result,
     log.skip("containment", "no verification was requested");
   } else {
     log.run("containment", [&] {
-      require_inner(find_outside(result.hull, vertices, request.watch.stop).empty(),
-                    "its vertices lie in every halfspace of the input's hull");
+      require_inner(
+          find_outside(result.hull, vertices, request.watch.stop, jobs_of(request)).empty(),
+          "its vertices lie in every halfspace of the input's hull");
       require_inner(!keeps_costs(request) || before - lost_in(result.run) == after,
                     "its volume is that of the input's hull less all costs");
     });

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
+#include <cmath>
+#include <numeric>
 #include <optional>
 #include <vector>
 
@@ -9,49 +11,100 @@
 #include "near/near_plane.hpp"
 #include "number/arithmetic.hpp"
 #include "stored/prepared_halfspaces.hpp"
+#include "task/parallel.hpp"
 
 namespace convexact {
 namespace {
 
 // Blocks stay in the first-level cache while all halfspaces pass over them.
 constexpr std::size_t kBlock = 128;
+// What a thread takes at a time.
+constexpr std::size_t kTurn = 64 * kBlock;
 // With at least this many halfspaces, blocks of neighbouring points are faster.
 constexpr std::size_t kManyHalfspaces = 256;
+// Halfspaces that are tested against a block at once.
+constexpr std::size_t kGroup = 32;
 
-// All points, with those of a block close together if that is worth it: they are halved along the
+// The order of points in which those of a block are close together: they are halved along the
 // longest side of their box until a part is no larger than a block.
 class BlockOrder {
  public:
-  BlockOrder(const PointSet& points, bool is_worth_it) : points_(points.doubles()) {
-    for (std::size_t i = 0; i < points.size(); ++i) ids_.emplace_back(i);
-    if (is_worth_it) split(0, ids_.size());
+  BlockOrder(std::span<const Point> points, std::size_t block)
+      : points_(points), block_(block), order_(points.size()) {
+    std::iota(order_.begin(), order_.end(), 0u);
+    split(0, order_.size());
   }
-  std::vector<PointId> take() { return std::move(ids_); }
+  std::vector<std::uint32_t> take() { return std::move(order_); }
 
  private:
   void split(std::size_t first, std::size_t last) {
-    if (last - first <= kBlock) return;
-    Point low = points_[ids_[first].index()], high = low;
+    if (last - first <= block_) return;
+    Point low = points_[order_[first]], high = low;
     for (std::size_t j = first; j < last; ++j) {
-      low = low.cwiseMin(points_[ids_[j].index()]);
-      high = high.cwiseMax(points_[ids_[j].index()]);
+      low = low.cwiseMin(points_[order_[j]]);
+      high = high.cwiseMax(points_[order_[j]]);
     }
     Eigen::Index longest = 0;
     Point(high / 2 - low / 2).maxCoeff(&longest);
     // Whole blocks to the left, so that no part straddles two.
-    const std::size_t blocks = (last - first + kBlock - 1) / kBlock;
-    const std::size_t middle = first + blocks / 2 * kBlock;
-    const auto at = [&](std::size_t j) { return ids_.begin() + static_cast<std::ptrdiff_t>(j); };
-    std::nth_element(at(first), at(middle), at(last), [&](PointId a, PointId b) {
-      return points_[a.index()][longest] < points_[b.index()][longest];
+    const std::size_t blocks = (last - first + block_ - 1) / block_;
+    const std::size_t middle = first + blocks / 2 * block_;
+    const auto at = [&](std::size_t j) { return order_.begin() + static_cast<std::ptrdiff_t>(j); };
+    std::nth_element(at(first), at(middle), at(last), [&](std::uint32_t a, std::uint32_t b) {
+      return points_[a][longest] < points_[b][longest];
     });
     split(first, middle);
     split(middle, last);
   }
 
   std::span<const Point> points_;
-  std::vector<PointId> ids_;
+  const std::size_t block_;
+  std::vector<std::uint32_t> order_;
 };
+
+// All points, in blocks of neighbours if that is worth it.
+std::vector<PointId> ids_in_blocks(const PointSet& points, bool is_worth_it) {
+  std::vector<PointId> ids;
+  ids.reserve(points.size());
+  if (is_worth_it) {
+    for (const std::uint32_t i : BlockOrder(points.doubles(), kBlock).take()) ids.emplace_back(i);
+  } else {
+    for (std::size_t i = 0; i < points.size(); ++i) ids.emplace_back(i);
+  }
+  return ids;
+}
+
+std::vector<HalfspaceGroup> groups_of(std::span<const DoubleHalfspace> halfspaces) {
+  std::vector<Point> normals;  // their largest component is 1 or -1
+  std::vector<double> offsets;
+  for (const DoubleHalfspace& h : halfspaces) {
+    const Point n(h.n[0], h.n[1], h.n[2]);
+    const double largest = n.lpNorm<Eigen::Infinity>();
+    normals.push_back(n / largest);
+    offsets.push_back(h.d / largest);
+  }
+  const std::vector<std::uint32_t> order = BlockOrder(normals, kGroup).take();
+  std::vector<HalfspaceGroup> groups;
+  for (std::size_t first = 0; first < order.size(); first += kGroup) {
+    HalfspaceGroup& group = groups.emplace_back();
+    group.members.assign(
+        order.begin() + static_cast<std::ptrdiff_t>(first),
+        order.begin() + static_cast<std::ptrdiff_t>(std::min(order.size(), first + kGroup)));
+    group.largest_d = offsets[group.members[0]];
+    for (int k = 0; k < 3; ++k) {
+      group.normals.low[k] = group.normals.high[k] = normals[group.members[0]][k];
+    }
+    for (const std::uint32_t i : group.members) {
+      for (int k = 0; k < 3; ++k) {
+        group.normals.low[k] = std::min(group.normals.low[k], normals[i][k]);
+        group.normals.high[k] = std::max(group.normals.high[k], normals[i][k]);
+      }
+      group.largest_d = std::max(group.largest_d, offsets[i]);
+      group.largest_size = std::max(group.largest_size, std::abs(offsets[i]));
+    }
+  }
+  return groups;
+}
 
 class OutsideSearch {
  public:
@@ -59,25 +112,33 @@ class OutsideSearch {
       : halfspaces_(halfspaces),
         points_(points),
         is_double_(find_doubles(points)),
-        ids_(BlockOrder(points, halfspaces.exact().size() >= kManyHalfspaces).take()),
+        ids_(ids_in_blocks(points, halfspaces.exact().size() >= kManyHalfspaces)),
         doubles_(points, ids_),
         absolute_(absolute_plane_error(std::max(1.0, doubles_.largest))) {}
 
-  std::vector<PointId> find(const Watch& watch) {
-    for (std::size_t first = 0; first < points_.size(); first += kBlock) {
-      watch.ask();
-      search_block(first, std::min(points_.size(), first + kBlock));
-    }
-    std::sort(found_.begin(), found_.end());
-    return std::move(found_);
+  std::vector<PointId> find(const Watch& watch, std::size_t jobs) const {
+    std::vector<PointId> found;
+    const auto search = [&](std::size_t turn, const Watch& quiet) {
+      std::vector<PointId> here;
+      const std::size_t end = std::min(points_.size(), (turn + 1) * kTurn);
+      for (std::size_t first = turn * kTurn; first < end; first += kBlock) {
+        quiet.ask();
+        search_block(first, std::min(end, first + kBlock), here);
+      }
+      return here;
+    };
+    const auto take = [&](std::size_t, const std::vector<PointId>& here) {
+      found.insert(found.end(), here.begin(), here.end());
+      return true;
+    };
+    take_in_order((points_.size() + kTurn - 1) / kTurn, jobs, watch.without_reports(), search, take,
+                  1);
+    std::sort(found.begin(), found.end());
+    return found;
   }
 
  private:
-  struct Box {
-    double low[3], high[3];
-  };
-
-  Box box_of(std::size_t first, std::size_t last) const {
+  CoordinateBox box_of(std::size_t first, std::size_t last) const {
     const auto range = [&](const std::vector<double>& x, double& low, double& high) {
       const auto begin = x.begin() + static_cast<std::ptrdiff_t>(first);
       const auto [least, most] =
@@ -85,7 +146,7 @@ class OutsideSearch {
       low = *least;
       high = *most;
     };
-    Box box;
+    CoordinateBox box;
     range(doubles_.x, box.low[0], box.high[0]);
     range(doubles_.y, box.low[1], box.high[1]);
     range(doubles_.z, box.low[2], box.high[2]);
@@ -96,7 +157,7 @@ class OutsideSearch {
   // is monotone, so the bound holds for coordinates that are no doubles, too; and where a component
   // of n is rounded to 0, the other corner exceeds this one by less than 2^-1074 times a
   // coordinate, which the absolute error covers.
-  bool surely_inside(const DoubleHalfspace& h, const Box& box) const {
+  bool surely_inside(const DoubleHalfspace& h, const CoordinateBox& box) const {
     double corner[3];
     for (int k = 0; k < 3; ++k) corner[k] = h.n[k] > 0 ? box.high[k] : box.low[k];
     return h.at(corner[0], corner[1], corner[2], absolute_).surely_negative();
@@ -142,22 +203,39 @@ class OutsideSearch {
     return plane_value(h, *integers) > 0;
   }
 
-  void search_block(std::size_t first, std::size_t last) {
-    const double largest = doubles_.largest_of(first, last);
-    const Box box = box_of(first, last);
-    std::vector<bool> outside(last - first, false);
-    std::vector<std::optional<HomogeneousPoint>> integers(last - first);  // of those that need them
-    for (std::size_t i = 0; i < halfspaces_.near().size(); ++i) {
-      const DoubleHalfspace& near = halfspaces_.near()[i];
-      if (surely_inside(near, box)) continue;
-      if (surely_inside(near, first, last, largest)) continue;
-      for (std::size_t j = first; j < last; ++j) {
-        if (outside[j - first] || surely_inside(near, j)) continue;
-        outside[j - first] = is_outside(halfspaces_.exact()[i], ids_[j], integers[j - first]);
-      }
+  // Points [first, last) in the order of the ids, and what is known of them.
+  struct Block {
+    std::size_t first, last;
+    double largest;
+    CoordinateBox box;
+    std::vector<bool> outside;
+    std::vector<std::optional<HomogeneousPoint>> integers;  // of those that need them
+  };
+
+  void compare(std::size_t i, Block& block) const {
+    const DoubleHalfspace& near = halfspaces_.near()[i];
+    if (surely_inside(near, block.box)) return;
+    if (surely_inside(near, block.first, block.last, block.largest)) return;
+    for (std::size_t j = block.first; j < block.last; ++j) {
+      const std::size_t own = j - block.first;
+      if (block.outside[own] || surely_inside(near, j)) continue;
+      block.outside[own] = is_outside(halfspaces_.exact()[i], ids_[j], block.integers[own]);
+    }
+  }
+
+  void search_block(std::size_t first, std::size_t last, std::vector<PointId>& found) const {
+    Block block{first, last, doubles_.largest_of(first, last), box_of(first, last), {}, {}};
+    block.outside.resize(last - first);
+    block.integers.resize(last - first);
+    if (halfspaces_.groups().empty()) {
+      for (std::size_t i = 0; i < halfspaces_.near().size(); ++i) compare(i, block);
+    }
+    for (const HalfspaceGroup& group : halfspaces_.groups()) {
+      if (group.surely_hold(block.box, absolute_)) continue;
+      for (const std::uint32_t i : group.members) compare(i, block);
     }
     for (std::size_t j = first; j < last; ++j) {
-      if (outside[j - first]) found_.push_back(ids_[j]);
+      if (block.outside[j - first]) found.push_back(ids_[j]);
     }
   }
 
@@ -167,28 +245,45 @@ class OutsideSearch {
   std::vector<PointId> ids_;     // in blocks
   CoordinateArrays doubles_;     // in the order of the ids
   double absolute_;
-  std::vector<PointId> found_;
 };
 
 }  // namespace
 
+// n.x is largest at corners of both boxes. Each rounding is monotone, so the value and the bound of
+// its error in doubles are no less than those of any member at any point. A member was divided,
+// which rounds n and d once more than kRelativePlaneError counts: twice that covers it.
+bool HalfspaceGroup::surely_hold(const CoordinateBox& box, double absolute) const {
+  double most[3], size = largest_size;
+  for (int k = 0; k < 3; ++k) {
+    const double low = normals.low[k], high = normals.high[k];
+    most[k] = std::max(std::max(low * box.low[k], low * box.high[k]),
+                       std::max(high * box.low[k], high * box.high[k]));
+    size += std::max(std::abs(low), std::abs(high)) *
+            std::max(std::abs(box.low[k]), std::abs(box.high[k]));
+  }
+  const double error = 2 * (kRelativePlaneError * size + absolute);
+  return most[0] + most[1] + most[2] + largest_d + error < 0;
+}
+
 PreparedHalfspaces::PreparedHalfspaces(std::span<const Halfspace> halfspaces) : exact_(halfspaces) {
   near_.reserve(halfspaces.size());
   for (const Halfspace& h : halfspaces) near_.emplace_back(h);
+  if (near_.size() >= kManyHalfspaces) groups_ = groups_of(near_);
 }
 
 std::vector<PointId> find_outside(const PreparedHalfspaces& halfspaces, const PointSet& points,
-                                  const Watch& watch) {
-  return OutsideSearch(halfspaces, points).find(watch);
+                                  const Watch& watch, std::size_t jobs) {
+  return OutsideSearch(halfspaces, points).find(watch, jobs);
 }
 
 std::vector<PointId> find_outside(std::span<const Halfspace> halfspaces, const PointSet& points,
-                                  const Watch& watch) {
-  return find_outside(PreparedHalfspaces(halfspaces), points, watch);
+                                  const Watch& watch, std::size_t jobs) {
+  return find_outside(PreparedHalfspaces(halfspaces), points, watch, jobs);
 }
 
-std::size_t count_outside(std::span<const Halfspace> halfspaces, const PointSet& points) {
-  return find_outside(halfspaces, points).size();
+std::size_t count_outside(std::span<const Halfspace> halfspaces, const PointSet& points,
+                          std::size_t jobs) {
+  return find_outside(halfspaces, points, {}, jobs).size();
 }
 
 }  // namespace convexact

@@ -8,6 +8,7 @@
 
 #include "convexact/error.hpp"
 #include "convexact/geometry.hpp"
+#include "geometry/area_vector.hpp"
 
 namespace convexact {
 namespace {
@@ -201,8 +202,7 @@ int seen_along(const PointSet& points, const Triangle& t) {
 }
 
 RationalVector3 area_vector(const PointSet& points, const Triangle& t) {
-  const RationalPoint a = points[t[0]];
-  return RationalVector3(points[t[1]] - a).cross(RationalVector3(points[t[2]] - a));
+  return area_vector(points, t[0], t[1], t[2]);
 }
 
 namespace {

@@ -47,6 +47,12 @@ Field<Request> engine_field() {
       "proven");
 }
 
+template <class Request>
+Field<Request> threads_field() {
+  return jobs_field<Request>(
+      "threads, by default as many as there are cores; no result depends on them");
+}
+
 Fields<SimplifyRequest> make_simplify_fields() {
   using R = SimplifyRequest;
   Fields<R> fields = {
@@ -82,7 +88,8 @@ Fields<SimplifyRequest> make_simplify_fields() {
       text_field<R>(
           "center", &R::center, parse_center, spell_center,
           "center of the polar dual: chebyshev, or X,Y,Z strictly inside; the answer does not "
-          "depend on it")};
+          "depend on it"),
+      threads_field<R>()};
   fields[0].letter = 'k';
   return fields;
 }
@@ -102,7 +109,9 @@ Fields<InnerRequest> make_inner_fields() {
               [](const std::optional<std::size_t>&) { return ""; }, "at most so many triangles"),
           text_field<R>("max_loss", &R::max_loss, parse_share, spell_share,
                         "with --inner: stop before more of the volume is lost, e.g. 5% or 0.05"),
-          engine_field<R>(), verify_field<R>()};
+          engine_field<R>(),
+          verify_field<R>(),
+          threads_field<R>()};
 }
 
 // Whether the option has the value that it has where it is not given.

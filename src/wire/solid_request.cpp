@@ -72,8 +72,10 @@ void read_hull_options(const json& request, HullRequest& wanted) {
   require_known_keys(
       request,
       {"id", "name", "points", "planes", "triangles", "decimal", "numbers", "time_limit", "files",
-       "precision", "picture", "seed", "digits", "measures", "exact_values"},
+       "precision", "picture", "seed", "digits", "measures", "exact_values", "jobs"},
       "the request");
+  wanted.jobs = count_in(request, "jobs");
+  if (wanted.jobs && (*wanted.jobs < 1 || *wanted.jobs > 256)) reject_request("jobs from 1 to 256");
   if (const auto digits = count_in(request, "digits")) {
     if (*digits < 1 || *digits > 10000) reject_request("digits from 1 to 10000");
     wanted.digits = static_cast<int>(*digits);

@@ -120,7 +120,8 @@ TEST_CASE("C interface: every option of the tables is one of the function") {
   Texts of_simplify = {{"max_growth", "max_growth=5%"},
                        {"growth_of", "max_growth=5% growth_of=area"},
                        {"moves", "faces=6 search=local moves=7"},
-                       {"nodes", "faces=6 search=optimal nodes=1000"}};
+                       {"nodes", "faces=6 search=optimal nodes=1000"},
+                       {"jobs", "faces=6 jobs=2"}};
   SimplifyRequest usual;
   usual.faces = 6;
   for (const Field<SimplifyRequest>& field : simplify_call_fields()) {

@@ -2,10 +2,15 @@
 // Halfspaces: primitive form, canonical order, intersection of planes. Expected values by hand.
 #include <doctest/doctest.h>
 
+#include <array>
 #include <cmath>
+#include <cstdint>
+#include <span>
+#include <vector>
 
 #include "convexact/error.hpp"
 #include "convexact/geometry.hpp"
+#include "geometry/area_vector.hpp"
 #include "integer_halfspace.hpp"
 #include "near/near_plane.hpp"
 #include "number/arithmetic.hpp"
@@ -28,6 +33,53 @@ TEST_CASE("Halfspace: the canonical order goes by direction, then by offset") {
   CHECK(halfspace(2, 0, 0, 1) < halfspace(1, 1, 0, 5));  // (1, 0, 0) before (1, 1, 0)
   CHECK(same_direction(halfspace(2, 4, 6, 1), halfspace(1, 2, 3, 1)));
   CHECK_FALSE(same_direction(halfspace(-2, -4, -6, 1), halfspace(1, 2, 3, 1)));
+}
+
+// By the definition, in fractions.
+TEST_CASE("Halfspace: the canonical order of quotients that doubles can and cannot tell apart") {
+  const auto quotients = [](const Halfspace& h) {
+    const IntegerVector3& n = h.normal();
+    const Integer g = gcd(gcd(n[0], n[1]), n[2]);
+    return std::array{Rational(n[0], g), Rational(n[1], g), Rational(n[2], g),
+                      Rational(h.offset(), g)};
+  };
+  std::vector<Halfspace> halfspaces;
+  for (const unsigned bits : {3u, 52u, 53u, 54u, 200u, 1030u, 2100u}) {
+    const Integer large = Integer(1) << bits;
+    for (int common = 1; common <= 3; ++common) {  // offsets that leave the normal its divisor
+      for (int delta = -1; delta <= 1; ++delta) {
+        const Integer g = common == 3 ? Integer(large + 1) : Integer(common);
+        halfspaces.emplace_back(IntegerVector3(g * (large + delta), g, 0), Integer(g + 1));
+        halfspaces.emplace_back(IntegerVector3(-g * (large + delta), -g, 2 * g), Integer(-1));
+        halfspaces.emplace_back(IntegerVector3(g, g * large, 0), Integer(1 + delta));
+      }
+    }
+  }
+  for (const Halfspace& a : halfspaces) {
+    for (const Halfspace& b : halfspaces) {
+      CHECK((a < b) == (quotients(a) < quotients(b)));
+      CHECK((a <=> b == 0) == (a == b));
+    }
+  }
+}
+
+TEST_CASE("area_vector: doubles and rationals give the same, of polygons too") {
+  const std::vector<Point> corners{{0.1, 0.2, 0.3}, {1e300, -7, 5e-324}, {3, 1e-200, 2}, {4, 5, 6}};
+  std::vector<RationalPoint> exact;
+  for (const Point& p : corners) exact.push_back(to_rational(p));
+  exact.emplace_back(Rational(1, 3), 0, 0);  // the set is no longer of doubles
+  const PointSet doubles(corners), rationals(exact);
+  REQUIRE_FALSE(rationals.is_binary());
+  const std::vector<std::uint32_t> ring{0, 1, 2, 3};
+  RationalVector3 expected = RationalVector3::Zero();  // by the definition, about the origin
+  for (std::size_t k = 0; k < ring.size(); ++k) {
+    expected += exact[ring[k]].cross(exact[ring[(k + 1) % ring.size()]]);
+  }
+  CHECK(area_vector(doubles, ring) == expected);
+  CHECK(area_vector(rationals, ring) == expected);
+  CHECK(area_vector(doubles, std::span(ring).first(2)).isZero(0));
+  const PointSet origin(std::vector<Point>(3, Point(0, 0, 0)));
+  CHECK(area_vector(origin, PointId(0), PointId(1), PointId(2)).isZero(0));
 }
 
 TEST_CASE("Halfspace: through three doubles, and through the same rationals") {

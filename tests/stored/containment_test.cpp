@@ -175,8 +175,53 @@ TEST_CASE("find_outside: many points and many halfspaces, point by point (#13)" 
 }
 
 TEST_CASE("count_outside: what a coefficient loses to underflow is paid for") {
-  const std::vector<Halfspace> halfspaces{{IntegerVector3(Integer(1) << 1077, 1, 1), 0}};
+  std::vector<Halfspace> halfspaces{{IntegerVector3(Integer(1) << 1077, 1, 1), 0}};
   const PointSet point(std::vector<Point>{{-0x1p-1000, 0x1p1000, 0x1p1000}});
   CHECK(by_definition(halfspaces, point) == 1);
   CHECK(count_outside(halfspaces, point) == 1);
+  // Among so many, halfspaces are tested in groups first.
+  while (halfspaces.size() < 300) {
+    halfspaces.emplace_back(IntegerVector3((Integer(1) << 1077) + halfspaces.size(), -1, -1), 0);
+  }
+  CHECK(count_outside(halfspaces, point) == 1);
+}
+
+TEST_CASE("find_outside: groups of halfspaces, some too large for doubles, at one ulp") {
+  const auto most = Rational(to_rational(std::numeric_limits<double>::max()));
+  std::vector<Halfspace> halfspaces;
+  for (int i = 0; i < 300; ++i) {  // x + (i/1000) y <= 1, and some that hold nothing outside
+    halfspaces.emplace_back(RationalVector3(1, Rational(i, 1000), 0), Rational(-1));
+    halfspaces.emplace_back(RationalVector3(-1, Rational(i, 1000), 0),
+                            Rational(-scale_by_power_of_two(most, i)));
+  }
+  const PointSet points(std::vector<Point>{{1, 0, 7},
+                                           {std::nextafter(1.0, 2.0), 0, 0},
+                                           {0.5, 1.67, 0},
+                                           {0.5, 1.673, 0},
+                                           {-std::numeric_limits<double>::max(), 0, 0},
+                                           {1, -1, 1e300}});
+  // 0.5 + 0.299 * 1.673 > 1 > 0.5 + 0.299 * 1.67.
+  CHECK(find_outside(halfspaces, points) == std::vector<PointId>{PointId(1), PointId(3)});
+}
+
+TEST_CASE("find_outside: the same for any number of threads") {
+  std::vector<Halfspace> cube;
+  for (int k = 0; k < 3; ++k) {
+    for (const int side : {-1, 1}) {
+      IntegerVector3 n = IntegerVector3::Zero();
+      n[k] = side;
+      cube.emplace_back(n, Integer(-1));
+    }
+  }
+  std::vector<Point> points = shapes::in_ball(30000, 7);  // of radius 1
+  std::vector<PointId> expected;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    points[i] *= 1.25;
+    if (points[i].lpNorm<Eigen::Infinity>() > 1) expected.emplace_back(i);
+  }
+  REQUIRE(expected.size() > 1000);
+  for (const std::size_t jobs : {1u, 2u, 3u, 8u}) {
+    CHECK(find_outside(cube, PointSet(points), {}, jobs) == expected);
+  }
+  CHECK_THROWS_AS((void)find_outside(cube, PointSet(points), {}, 0), Error);
 }

@@ -72,11 +72,11 @@ class DualTree {
   std::optional<BoxTree> tree_;  // none where doubles are too short for it
 };
 
-// The patches of which every corner is so near to a facet plane of the input's hull that rounding,
-// in any program, explains the distance.
-class PlanesOfTheInput {
+// Finds the facet planes of the input's hull that are so near to every corner of a patch that
+// rounding, in any program, explains the distance.
+class NearPlanes {
  public:
-  PlanesOfTheInput(const Polytope& polytope, Precision precision, const Polytope& input)
+  NearPlanes(const Polytope& polytope, Precision precision, const Polytope& input)
       : polytope_(polytope),
         planes_(input.planes),
         near_planes_(input.planes.begin(), input.planes.end()),
@@ -97,12 +97,8 @@ class PlanesOfTheInput {
     tree_.emplace(near_planes_, sum, largest, most_);
   }
 
-  // The plane that the patch is in; one that has it exactly first.
-  std::optional<Halfspace> of(const std::vector<std::uint32_t>& patch) const {
-    for (const std::uint32_t f : patch) {
-      const Halfspace& plane = polytope_.planes[f];
-      if (std::binary_search(planes_.begin(), planes_.end(), plane)) return plane;
-    }
+  // The first plane that is near to all corners of the patch.
+  std::optional<Halfspace> near(const std::vector<std::uint32_t>& patch) const {
     std::vector<Point> corners;
     for (const std::uint32_t v : polytope_.facets[patch[0]]) corners.push_back(vertices_[v]);
     for (const std::uint32_t i : tree_->near(corners)) {
@@ -136,7 +132,7 @@ class PlanesOfTheInput {
   }
 
   const Polytope& polytope_;
-  std::span<const Halfspace> planes_;  // in canonical order
+  std::span<const Halfspace> planes_;
   std::vector<DoubleHalfspace> near_planes_;
   const Rational slack_;
   std::vector<Point> vertices_;
@@ -150,7 +146,8 @@ class PlanesOfTheInput {
 void count_planes_of_the_input(Trial& trial) {
   const Polytope& polytope = *trial.set.polytope;
   CandidateSize& size = trial.verdict.size;
-  const PlanesOfTheInput planes(polytope, size.slack.precision, trial.input.hull);
+  const std::vector<Halfspace>& planes = trial.input.hull.planes;  // in canonical order
+  std::optional<NearPlanes> near;  // most candidates of many facets have all planes exactly
   std::vector<std::vector<std::uint32_t>> patches = trial.set.patches;
   if (patches.empty()) {  // halfspaces: each facet is one
     for (std::uint32_t f = 0; f < polytope.facets.size(); ++f) patches.push_back({f});
@@ -159,7 +156,15 @@ void count_planes_of_the_input(Trial& trial) {
   size.planes_of_the_input.emplace();
   for (const auto& patch : patches) {
     watch.ask();
-    if (auto plane = planes.of(patch)) size.planes_of_the_input->push_back(std::move(*plane));
+    const auto exact = std::find_if(patch.begin(), patch.end(), [&](std::uint32_t f) {
+      return std::binary_search(planes.begin(), planes.end(), polytope.planes[f]);
+    });
+    if (exact != patch.end()) {
+      size.planes_of_the_input->push_back(polytope.planes[*exact]);
+      continue;
+    }
+    if (!near) near.emplace(polytope, size.slack.precision, trial.input.hull);
+    if (auto plane = near->near(patch)) size.planes_of_the_input->push_back(std::move(*plane));
   }
 }
 

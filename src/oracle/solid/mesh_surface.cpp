@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "convexact/geometry.hpp"
+#include "geometry/area_vector.hpp"
 #include "number/arithmetic.hpp"
 #include "oracle/solid/excess.hpp"
 #include "oracle/solid/facet_planes.hpp"
@@ -226,19 +227,6 @@ bool has_three(std::span<const std::uint32_t> corners) {
 }
 
 }  // namespace
-
-RationalVector3 area_vector(const PointSet& points, std::span<const std::uint32_t> corners) {
-  if (corners.empty()) return RationalVector3::Zero();
-  const RationalPoint origin = points[PointId(corners[0])];
-  RationalVector3 sum = RationalVector3::Zero();
-  RationalVector3 before = points[PointId(corners[1])] - origin;
-  for (std::size_t k = 2; k < corners.size(); ++k) {
-    const RationalVector3 next = points[PointId(corners[k])] - origin;
-    sum += before.cross(next);
-    before = next;
-  }
-  return sum;
-}
 
 MeshSurface::MeshSurface(const Mesh& mesh) : mesh_(mesh), faces_(mesh.polygons) {
   const std::vector<std::uint32_t> first = weld(mesh.points);

@@ -42,11 +42,6 @@ struct Surplus {
   std::vector<std::size_t> slivers;           ///< Three corners or more, all on a line.
 };
 
-/// The sum of the cross products around a polygon: normal to its plane if it has one, as long as
-/// twice its area, and pointing to where the corners look counter-clockwise.
-[[nodiscard]] RationalVector3 area_vector(const PointSet& points,
-                                          std::span<const std::uint32_t> corners);
-
 /// The faces of a mesh: points at the same place are one, edges between them are gone, and so are
 /// the faces that are left with fewer than three different corners. Faces keep their numbers.
 class MeshSurface {

@@ -5,6 +5,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cstdint>
+#include <numeric>
+#include <vector>
 
 #include "convexact/error.hpp"
 #include "convexact/io.hpp"
@@ -12,6 +15,7 @@
 #include "io/file_beside.hpp"
 #include "io/file_kind.hpp"
 #include "io/names.hpp"
+#include "number/arithmetic.hpp"
 #include "number/text.hpp"
 #include "oracle/solid/judge.hpp"
 #include "solid/solid.hpp"
@@ -139,10 +143,42 @@ void find_smallest_tolerance(Trial& trial) {
                           "with --tolerance " + least.decimal + " every claim holds");
 }
 
-// Whether a solid that contains the hull is the hull: it has no more volume.
+// Corners in lexicographic order: doubles decide unless they are equal.
+class SortedCorners {
+ public:
+  explicit SortedCorners(const std::vector<RationalPoint>& corners) : corners_(corners) {
+    for (const RationalPoint& x : corners) near_.push_back(nearest(x));
+    order_.resize(corners.size());
+    std::iota(order_.begin(), order_.end(), 0u);
+    std::sort(order_.begin(), order_.end(),
+              [&](std::uint32_t a, std::uint32_t b) { return is_before(a, b); });
+  }
+  friend bool operator==(const SortedCorners& a, const SortedCorners& b) {
+    return std::equal(a.order_.begin(), a.order_.end(), b.order_.begin(), b.order_.end(),
+                      [&](std::uint32_t i, std::uint32_t j) {
+                        return a.near_[i] == b.near_[j] && a.corners_[i] == b.corners_[j];
+                      });
+  }
+
+ private:
+  bool is_before(std::uint32_t a, std::uint32_t b) const {
+    for (int k = 0; k < 3; ++k) {
+      if (near_[a][k] != near_[b][k]) return near_[a][k] < near_[b][k];
+      if (const int c = corners_[a][k].compare(corners_[b][k])) return c < 0;
+    }
+    return false;
+  }
+
+  const std::vector<RationalPoint>& corners_;
+  std::vector<Point> near_;
+  std::vector<std::uint32_t> order_;
+};
+
+// Two polytopes are the same set iff they have the same corners.
 bool is_same(const Polytope& candidate, const Polytope& hull) {
   return candidate.facets.size() == hull.facets.size() &&
-         candidate.vertices.size() == hull.vertices.size() && volume(candidate) == volume(hull);
+         candidate.vertices.size() == hull.vertices.size() &&
+         SortedCorners(candidate.vertices) == SortedCorners(hull.vertices);
 }
 
 // If the candidate is known to contain the hull, the distance is measured in one direction only,
