@@ -320,10 +320,13 @@ void add_generate_command(Command& program, int& exit_code) {
                      "a folder of vectors (default: the shipped ones)");
   add_global_options(command, options->global);
   command.get_option("--seed")->description("seed of the random families");
-  for (const Family& family : shapes::families()) add_family(command, family, *options);
-  for (const MalformedFile& file : shapes::malformed_files()) {
-    add_malformed(command, file, *options);
-  }
+  // These are hundreds.
+  command.when_named([&command, options] {
+    for (const Family& family : shapes::families()) add_family(command, family, *options);
+    for (const MalformedFile& file : shapes::malformed_files()) {
+      add_malformed(command, file, *options);
+    }
+  });
   command.callback([&command, options, &exit_code] {
     exit_code = run_guarded(options->global, [&] {
       return run_generate(*options, command.remaining(), names_in(command));

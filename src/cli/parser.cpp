@@ -176,6 +176,10 @@ Command* Command::callback(const std::function<void()>& run) {
   app_->callback(run);
   return this;
 }
+Command* Command::when_named(const std::function<void()>& add) {
+  app_->preparse_callback([add](std::size_t) { add(); });
+  return this;
+}
 Command* Command::fallthrough() {
   app_->fallthrough();
   return this;

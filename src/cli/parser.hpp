@@ -85,6 +85,9 @@ class Command {
   void show_first(std::initializer_list<const char*> names);
   Command* group(const std::string& title);  ///< Its heading in the help of its parent.
   Command* callback(const std::function<void()>& run);
+  /// Calls `add` when the command line names this command, before what follows is read: what it
+  /// adds is not made for every other run.
+  Command* when_named(const std::function<void()>& add);
   Command* fallthrough();   ///< Options of the parent may follow, too.
   Command* allow_extras();  ///< Words that nothing takes are kept, see remaining().
   void require_subcommand(int count);
