@@ -20,57 +20,66 @@ namespace {
 constexpr std::size_t kBlock = 128;
 // What a thread takes at a time.
 constexpr std::size_t kTurn = 64 * kBlock;
-// With at least this many halfspaces, blocks of neighbouring points are faster.
-constexpr std::size_t kManyHalfspaces = 256;
-// Halfspaces that are tested against a block at once.
-constexpr std::size_t kGroup = 32;
+// Halfspaces that are tested against a block at once, where there are many.
+constexpr std::size_t kGroup = 32, kManyHalfspaces = 256;
 
-// The order of points in which those of a block are close together: they are halved along the
-// longest side of their box until a part is no larger than a block.
+// An order of points in which those of a block are close together: by the cells of a grid, along a
+// path from each cell to one beside it. A surface of points meets about as many cells as there are
+// blocks.
 class BlockOrder {
  public:
-  BlockOrder(std::span<const Point> points, std::size_t block)
-      : points_(points), block_(block), order_(points.size()) {
-    std::iota(order_.begin(), order_.end(), 0u);
-    split(0, order_.size());
+  BlockOrder(std::span<const Point> points, std::size_t block) {
+    if (points.empty()) return;
+    low_ = points[0] / 2;
+    Point high = low_;
+    for (const Point& p : points) {
+      low_ = low_.cwiseMin(p / 2);
+      high = high.cwiseMax(p / 2);
+    }
+    const double cells = static_cast<double>(points.size()) / static_cast<double>(3 * block);
+    side_ = static_cast<std::size_t>(std::clamp(std::sqrt(cells), 1.0, 64.0));
+    for (int k = 0; k < 3; ++k) {  // halved, so that no extent overflows
+      const double scale = static_cast<double>(side_) / (high[k] - low_[k]);
+      scale_[k] = std::isfinite(scale) ? scale : 0;
+    }
+    sort(points);
   }
   std::vector<std::uint32_t> take() { return std::move(order_); }
 
  private:
-  void split(std::size_t first, std::size_t last) {
-    if (last - first <= block_) return;
-    Point low = points_[order_[first]], high = low;
-    for (std::size_t j = first; j < last; ++j) {
-      low = low.cwiseMin(points_[order_[j]]);
-      high = high.cwiseMax(points_[order_[j]]);
+  std::size_t place(const Point& p, int k) const {
+    return std::min(side_ - 1, static_cast<std::size_t>((p[k] / 2 - low_[k]) * scale_[k]));
+  }
+  // Its number on the path.
+  std::size_t cell(const Point& p) const {
+    const std::size_t x = place(p, 0);
+    const std::size_t y = x % 2 == 0 ? place(p, 1) : side_ - 1 - place(p, 1);
+    const std::size_t row = x * side_ + y;
+    return row * side_ + (row % 2 == 0 ? place(p, 2) : side_ - 1 - place(p, 2));
+  }
+  void sort(std::span<const Point> points) {
+    std::vector<std::uint32_t> cells(points.size());
+    std::vector<std::uint32_t> first(side_ * side_ * side_ + 1);  // of each cell
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      cells[i] = static_cast<std::uint32_t>(cell(points[i]));
+      ++first[cells[i] + 1];
     }
-    Eigen::Index longest = 0;
-    Point(high / 2 - low / 2).maxCoeff(&longest);
-    // Whole blocks to the left, so that no part straddles two.
-    const std::size_t blocks = (last - first + block_ - 1) / block_;
-    const std::size_t middle = first + blocks / 2 * block_;
-    const auto at = [&](std::size_t j) { return order_.begin() + static_cast<std::ptrdiff_t>(j); };
-    std::nth_element(at(first), at(middle), at(last), [&](std::uint32_t a, std::uint32_t b) {
-      return points_[a][longest] < points_[b][longest];
-    });
-    split(first, middle);
-    split(middle, last);
+    std::partial_sum(first.begin(), first.end(), first.begin());
+    order_.resize(points.size());
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      order_[first[cells[i]]++] = static_cast<std::uint32_t>(i);
+    }
   }
 
-  std::span<const Point> points_;
-  const std::size_t block_;
+  Point low_ = Point::Zero(), scale_ = Point::Zero();
+  std::size_t side_ = 1;
   std::vector<std::uint32_t> order_;
 };
 
-// All points, in blocks of neighbours if that is worth it.
-std::vector<PointId> ids_in_blocks(const PointSet& points, bool is_worth_it) {
+std::vector<PointId> ids_in_blocks(const PointSet& points) {
   std::vector<PointId> ids;
   ids.reserve(points.size());
-  if (is_worth_it) {
-    for (const std::uint32_t i : BlockOrder(points.doubles(), kBlock).take()) ids.emplace_back(i);
-  } else {
-    for (std::size_t i = 0; i < points.size(); ++i) ids.emplace_back(i);
-  }
+  for (const std::uint32_t i : BlockOrder(points.doubles(), kBlock).take()) ids.emplace_back(i);
   return ids;
 }
 
@@ -112,7 +121,7 @@ class OutsideSearch {
       : halfspaces_(halfspaces),
         points_(points),
         is_double_(find_doubles(points)),
-        ids_(ids_in_blocks(points, halfspaces.exact().size() >= kManyHalfspaces)),
+        ids_(ids_in_blocks(points)),
         doubles_(points, ids_),
         absolute_(absolute_plane_error(std::max(1.0, doubles_.largest))) {}
 
