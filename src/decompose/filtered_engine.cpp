@@ -3,10 +3,10 @@
 // grows, so an old value bounds a new one, and a pair beyond the limit stays beyond it.
 #include <algorithm>
 #include <cmath>
-#include <map>
+#include <functional>
 #include <memory>
+#include <queue>
 #include <set>
-#include <tuple>
 
 #include "decompose/cluster_engines.hpp"
 #include "decompose/merge_cost.hpp"
@@ -21,11 +21,18 @@ namespace {
 
 constexpr std::uint32_t kNoClass = 0;
 
+struct Neighbour {
+  std::uint32_t cluster;
+  std::uint32_t candidate;  // the pair of both
+
+  static bool is_before(const Neighbour& a, const Neighbour& b) { return a.cluster < b.cluster; }
+};
+
 struct Cluster {
-  std::vector<TriangleId> triangles;
+  std::vector<TriangleId> triangles;  // none if it was merged into another one
   NearCluster near;
   NearShape shape;
-  std::vector<std::uint32_t> neighbours;  // in any order
+  std::vector<Neighbour> neighbours;  // ascending by cluster
 };
 
 // What a merge costs in exact numbers, and bounds of kMeasureBits bits once it was compared with
@@ -35,18 +42,96 @@ struct ExactCost {
   std::optional<Enclosure> bounds;
 };
 
+enum class CandidateState {
+  Stale,   // its bounds are of clusters that have grown since
+  Fresh,   // its bounds are of the clusters as they are
+  Beyond,  // exceeds the limit, or was refused: not in the queue
+  Gone,    // another one stands for it since its clusters were merged
+};
+
 // Two neighbouring clusters, first < second, and the data on their union.
 struct CandidatePair {
-  LengthBounds concavity;           // of the union; the lower bound holds also while it is stale
-  LengthBounds key;                 // the number that the queue compares: the cost, or the
-                                    // concavity
-  bool is_fresh = false;            // `concavity` is of the clusters as they are
-  bool is_beyond = false;           // exceeds the limit
+  ClusterPair pair;
+  LengthBounds concavity;  // of the union; the lower bound holds also while it is stale
+  LengthBounds key;        // the number that the queue compares: the cost, or the concavity
+  CandidateState state = CandidateState::Stale;
   std::uint32_t equals = kNoClass;  // candidates of one class are proven to have the same key
   std::unique_ptr<NearCluster> united = {};
   std::unique_ptr<ExactCost> exact = {};
 
   bool has_fine_bounds() const { return exact && exact->bounds; }
+};
+
+// Where a candidate stands in the queue: by lower bound; of equal ones those of a class side by
+// side.
+struct CandidatePlace {
+  double low;
+  std::uint32_t equals;
+  ClusterPair pair;
+  std::uint32_t candidate;
+
+  auto operator<=>(const CandidatePlace&) const = default;
+};
+
+// The candidates in order. Most are stale, and change or go before they come first, so these wait
+// in a heap, where outdated places stay until they come up. Fresh ones are few; they are in a set,
+// since the first of them are compared one after another.
+class CandidateQueue {
+ public:
+  using FreshPlace = std::set<CandidatePlace>::const_iterator;
+
+  /// Keeps a reference.
+  explicit CandidateQueue(const std::vector<CandidatePair>& candidates) : candidates_(candidates) {}
+
+  /// Before the candidate changes.
+  void remove(std::uint32_t candidate) {
+    if (candidates_[candidate].state == CandidateState::Fresh) fresh_.erase(place(candidate));
+  }
+  void insert(std::uint32_t candidate) {
+    if (candidates_[candidate].state == CandidateState::Fresh) fresh_.insert(place(candidate));
+    if (candidates_[candidate].state == CandidateState::Stale) stale_.push(place(candidate));
+    if (stale_.size() > 2 * candidates_.size()) drop_outdated();
+  }
+
+  FreshPlace first_fresh() const { return fresh_.begin(); }
+  /// The first one of another class, or of none.
+  FreshPlace after_class(FreshPlace of) const {
+    constexpr std::uint32_t last = UINT32_MAX;
+    return fresh_.upper_bound({of->low, of->equals, {last, last}, last});
+  }
+  /// The first candidate if no fresh one before `fresh` counts.
+  std::optional<std::uint32_t> first(FreshPlace fresh) {
+    while (!stale_.empty() && is_outdated(stale_.top())) stale_.pop();
+    if (!stale_.empty() && (fresh == fresh_.end() || stale_.top() < *fresh)) {
+      return stale_.top().candidate;
+    }
+    return fresh == fresh_.end() ? std::nullopt : std::optional(fresh->candidate);
+  }
+
+ private:
+  CandidatePlace place(std::uint32_t candidate) const {
+    const CandidatePair& of = candidates_[candidate];
+    return {of.key.low, of.equals, of.pair, candidate};
+  }
+  bool is_outdated(const CandidatePlace& stale) const {
+    return candidates_[stale.candidate].state != CandidateState::Stale ||
+           place(stale.candidate) != stale;
+  }
+
+  void drop_outdated() {
+    std::vector<CandidatePlace> places;
+    for (std::uint32_t k = 0; k < candidates_.size(); ++k) {
+      if (candidates_[k].state == CandidateState::Stale) places.push_back(place(k));
+    }
+    stale_ = StaleHeap(std::greater<>(), std::move(places));
+  }
+
+  using StaleHeap =
+      std::priority_queue<CandidatePlace, std::vector<CandidatePlace>, std::greater<>>;
+
+  const std::vector<CandidatePair>& candidates_;
+  std::set<CandidatePlace> fresh_;
+  StaleHeap stale_;
 };
 
 class FilteredEngine {
@@ -61,23 +146,30 @@ class FilteredEngine {
         shapes_(surface, near_, start.squared_weight, is_float_),
         limit_(near_.root_bounds(start.squared_limit)) {
     make_clusters();
+    candidates_.reserve(start.pairs.size());
     for (const ClusterPair& pair : start.pairs) {
-      clusters_.at(pair.first).neighbours.push_back(pair.second);
-      clusters_.at(pair.second).neighbours.push_back(pair.first);
-      enter(pair, CandidatePair{});
+      const auto candidate = static_cast<std::uint32_t>(candidates_.size());
+      candidates_.push_back({.pair = pair});
+      clusters_[pair.first].neighbours.push_back({pair.second, candidate});
+      clusters_[pair.second].neighbours.push_back({pair.first, candidate});
+      enter(candidate);
+    }
+    for (Cluster& cluster : clusters_) {
+      std::sort(cluster.neighbours.begin(), cluster.neighbours.end(), Neighbour::is_before);
     }
   }
 
   Clustering run() {
     while (merge_cheapest()) {
     }
-    if (options_.max_parts && clusters_.size() > *options_.max_parts) {
+    if (options_.max_parts && count_ > *options_.max_parts) {
       queue_by_concavity();
-      while (clusters_.size() > *options_.max_parts && merge_cheapest()) {
+      while (count_ > *options_.max_parts && merge_cheapest()) {
         made_.stopped_by_count = true;
       }
     }
-    for (const auto& [name, cluster] : clusters_) {
+    for (const Cluster& cluster : clusters_) {
+      if (cluster.triangles.empty()) continue;
       made_.clusters.push_back(cluster.triangles);
       std::sort(made_.clusters.back().begin(), made_.clusters.back().end());
     }
@@ -92,71 +184,67 @@ class FilteredEngine {
   }
 
  private:
-  // In the queue: by lower bound; of equal ones those of a class side by side.
-  using Place = std::tuple<double, std::uint32_t, ClusterPair>;
-  static Place place(const ClusterPair& pair, const CandidatePair& candidate) {
-    return {candidate.key.low, candidate.equals, pair};
-  }
-
   void make_clusters() {
     std::vector<bool> has_neighbours(surface_.triangles.size(), false);
     for (const auto& [a, b] : start_.pairs) has_neighbours[a] = has_neighbours[b] = true;
+    clusters_.resize(surface_.triangles.size());
     for (auto& triangles : clusters_of(start_.lowest)) {
-      Cluster cluster;
-      cluster.shape = shapes_.shape(triangles);
       const std::uint32_t name = triangles.front().value;
+      Cluster& cluster = clusters_[name];
+      cluster.shape = shapes_.shape(triangles);
       if (has_neighbours[name]) cluster.near = near_.cluster(triangles);
       cluster.triangles = std::move(triangles);
-      clusters_.emplace(name, std::move(cluster));
+      ++count_;
     }
   }
 
   // Sets the key for the queue, and enters the candidate.
-  void enter(const ClusterPair& pair, CandidatePair candidate) {
+  void enter(std::uint32_t entered) {
+    CandidatePair& candidate = candidates_[entered];
     candidate.key = candidate.concavity;
     if (!by_concavity_) {
-      const LengthBounds shape =
-          shapes_.term(clusters_.at(pair.first).shape, clusters_.at(pair.second).shape);
+      const auto& [a, b] = candidate.pair;
+      const LengthBounds shape = shapes_.term(clusters_[a].shape, clusters_[b].shape);
       const double round = is_float_ ? 0 : 2 * kUnitRoundoff;
       candidate.key.low = (candidate.concavity.low + shape.low) * (1 - round);
       candidate.key.high = (candidate.concavity.high + shape.high) * (1 + round);
       if (std::isnan(candidate.key.low)) candidate.key.low = 0;
     }
-    if (!candidate.is_beyond) queue_.insert(place(pair, candidate));
-    candidates_.insert_or_assign(pair, std::move(candidate));
+    queue_.insert(entered);
   }
 
-  // It must be entered again, or dropped.
-  void leave(const ClusterPair& pair) {
-    const auto it = candidates_.find(pair);
-    queue_.erase(place(pair, it->second));
-    if (it->second.equals != kNoClass) --classes_[it->second.equals].members;
-    candidates_.erase(it);
+  // Before the candidate changes: it must be entered again, or dropped.
+  void leave(std::uint32_t left) {
+    queue_.remove(left);
+    std::uint32_t& equals = candidates_[left].equals;
+    if (equals != kNoClass) --classes_[equals].members;
+    equals = kNoClass;
   }
 
   // Bounds the concavity of the union of clusters as they are, and decides whether it is allowed.
-  void evaluate(const ClusterPair& pair) {
+  void evaluate(std::uint32_t stale) {
     ++made_.evaluations;
     report_progress();
-    CandidatePair candidate = std::move(candidates_.at(pair));
-    leave(pair);
-    const Cluster& a = clusters_.at(pair.first);
-    const Cluster& b = clusters_.at(pair.second);
+    CandidatePair& candidate = candidates_[stale];
+    const Cluster& a = clusters_[candidate.pair.first];
+    const Cluster& b = clusters_[candidate.pair.second];
     NearCluster both = near_.unite(a.near, b.near, by_concavity_ ? kNoBound : limit_.high);
     both.concavity.low = std::max(both.concavity.low, candidate.concavity.low);
     candidate.concavity = both.concavity;
     candidate.united = std::make_unique<NearCluster>(std::move(both));
-    candidate.is_fresh = true;
-    if (!by_concavity_) candidate.is_beyond = exceeds_limit(pair, candidate);
-    if (candidate.is_beyond) candidate.united.reset();
-    enter(pair, std::move(candidate));
+    candidate.state = CandidateState::Fresh;
+    if (!by_concavity_ && exceeds_limit(candidate)) {
+      candidate.state = CandidateState::Beyond;
+      candidate.united.reset();
+    }
+    enter(stale);
   }
 
-  bool exceeds_limit(const ClusterPair& pair, CandidatePair& candidate) {
+  bool exceeds_limit(CandidatePair& candidate) {
     if (is_float_) return candidate.concavity.high > limit_.high;
     if (candidate.concavity.low > limit_.high) return true;
     if (candidate.concavity.high <= limit_.low) return false;
-    return exact_cost(pair, candidate).squared_concavity > start_.squared_limit;
+    return exact_cost(candidate).squared_concavity > start_.squared_limit;
   }
 
   // There are about 1.4 evaluations and one merge for each triangle.
@@ -166,33 +254,33 @@ class FilteredEngine {
   }
 
   std::vector<TriangleId> triangles_of(const ClusterPair& pair) const {
-    std::vector<TriangleId> triangles = clusters_.at(pair.first).triangles;
-    const auto& more = clusters_.at(pair.second).triangles;
+    std::vector<TriangleId> triangles = clusters_[pair.first].triangles;
+    const auto& more = clusters_[pair.second].triangles;
     triangles.insert(triangles.end(), more.begin(), more.end());
     std::sort(triangles.begin(), triangles.end());
     return triangles;
   }
 
   // The cost in exact numbers. The bounds become as narrow as doubles allow.
-  const MergeCost& exact_cost(const ClusterPair& pair, CandidatePair& candidate) {
+  const MergeCost& exact_cost(CandidatePair& candidate) {
     if (candidate.exact) return candidate.exact->cost;
     ++made_.exact_evaluations;
-    const std::vector<TriangleId> triangles = triangles_of(pair);
+    const auto& [a, b] = candidate.pair;
+    const std::vector<TriangleId> triangles = triangles_of(candidate.pair);
     candidate.exact = std::make_unique<ExactCost>();
     MergeCost& cost = candidate.exact->cost;
     cost.squared_concavity = near_.squared(*candidate.united, triangles, options_.watch);
-    shapes_.set_exact(cost, clusters_.at(pair.first).shape, clusters_.at(pair.second).shape,
-                      triangles);
+    shapes_.set_exact(cost, clusters_[a].shape, clusters_[b].shape, triangles);
     candidate.concavity = candidate.united->concavity;
     return cost;
   }
 
   // Computes a fresh candidate in exact numbers, and enters it again with the narrowest key. Those
   // of a class are equal, so they share bounds and key.
-  void narrow(const ClusterPair& pair, std::uint32_t equals) {
-    CandidatePair candidate = std::move(candidates_.at(pair));
-    leave(pair);
-    const MergeCost& cost = exact_cost(pair, candidate);
+  void narrow(std::uint32_t narrowed, std::uint32_t equals) {
+    leave(narrowed);
+    CandidatePair& candidate = candidates_[narrowed];
+    const MergeCost& cost = exact_cost(candidate);
     Class own;
     Class& of = equals == kNoClass ? own : classes_[equals];
     if (of.members++ == 0) {
@@ -205,14 +293,13 @@ class FilteredEngine {
     candidate.equals = equals;
     candidate.exact->bounds = of.bounds;
     candidate.key = of.key;
-    queue_.insert(place(pair, candidate));
-    candidates_.insert_or_assign(pair, std::move(candidate));
+    queue_.insert(narrowed);
   }
 
   // Most ties are of congruent triangles, and need no bounds.
-  bool is_plain_tie(const ClusterPair& a, const ClusterPair& b) {
-    return !by_concavity_ && CostOrder::have_same_terms(exact_cost(a, candidates_.at(a)),
-                                                        exact_cost(b, candidates_.at(b)));
+  bool is_plain_tie(std::uint32_t a, std::uint32_t b) {
+    return !by_concavity_ &&
+           CostOrder::have_same_terms(exact_cost(candidates_[a]), exact_cost(candidates_[b]));
   }
 
   Ordering compare(const CandidatePair& a, const CandidatePair& b) const {
@@ -224,150 +311,154 @@ class FilteredEngine {
   }
 
   // The first of the cheapest candidates. All that are as cheap are fresh and of one class.
-  std::optional<ClusterPair> cheapest() {
-    while (!queue_.empty()) {
-      const ClusterPair first = std::get<ClusterPair>(*queue_.begin());
-      if (!candidates_.at(first).is_fresh) {
-        evaluate(first);
+  std::optional<std::uint32_t> cheapest() {
+    while (const auto first = queue_.first(queue_.first_fresh())) {
+      if (candidates_[*first].state == CandidateState::Stale) {
+        evaluate(*first);
         continue;
       }
       if (is_float_) return first;
-      if (const auto best = cheapest_of_rivals(first)) return best;
+      if (const auto best = cheapest_of_rivals(*first)) return best;
     }
     return std::nullopt;
   }
 
   // The same among those whose keys begin before the first one's key ends; or nothing, after a
   // candidate that may be as cheap was evaluated, narrowed, or joined to a class.
-  std::optional<ClusterPair> cheapest_of_rivals(const ClusterPair& first) {
-    ClusterPair best_pair = first;
-    auto it = std::next(queue_.begin());
-    while (it != queue_.end()) {
-      const ClusterPair rival_pair = std::get<ClusterPair>(*it);
-      const CandidatePair &best = candidates_.at(best_pair), &rival = candidates_.at(rival_pair);
+  std::optional<std::uint32_t> cheapest_of_rivals(std::uint32_t first) {
+    std::uint32_t best_id = first;
+    auto it = std::next(queue_.first_fresh());
+    while (const auto rival_id = queue_.first(it)) {
+      const CandidatePair &best = candidates_[best_id], &rival = candidates_[*rival_id];
       if (rival.key.low > best.key.high) break;
-      if (!rival.is_fresh) {
-        evaluate(rival_pair);
+      if (rival.state == CandidateState::Stale) {
+        evaluate(*rival_id);
         return std::nullopt;
       }
       if (best.equals != kNoClass && rival.equals == best.equals) {  // and so are all of its class
-        it = queue_.upper_bound({rival.key.low, rival.equals, {UINT32_MAX, UINT32_MAX}});
+        it = queue_.after_class(it);
         continue;
       }
       if (!best.has_fine_bounds() || !rival.has_fine_bounds()) {
-        if (is_plain_tie(best_pair, rival_pair)) {
-          join_class(best_pair, rival_pair, {Order::Equal, TieProof::SquareClasses});
+        if (is_plain_tie(best_id, *rival_id)) {
+          join_class(best_id, *rival_id, {Order::Equal, TieProof::SquareClasses});
           return std::nullopt;
         }
-        for (const ClusterPair& pair : {best_pair, rival_pair}) {
-          if (!candidates_.at(pair).has_fine_bounds()) narrow(pair, kNoClass);
+        for (const std::uint32_t each : {best_id, *rival_id}) {
+          if (!candidates_[each].has_fine_bounds()) narrow(each, kNoClass);
         }
         return std::nullopt;
       }
       const Ordering ordering = compare(best, rival);
       if (ordering.order == Order::Equal || ordering.order == Order::Undecided) {
-        join_class(best_pair, rival_pair, ordering);
+        join_class(best_id, *rival_id, ordering);
         return std::nullopt;
       }
-      if (ordering.order == Order::Greater) best_pair = rival_pair;
+      if (ordering.order == Order::Greater) best_id = *rival_id;
       ++it;
     }
-    return best_pair;
+    return best_id;
   }
 
-  void join_class(const ClusterPair& a, const ClusterPair& b, const Ordering& ordering) {
-    std::uint32_t equals = candidates_.at(a).equals;
-    if (equals == kNoClass) equals = candidates_.at(b).equals;
+  void join_class(std::uint32_t a, std::uint32_t b, const Ordering& ordering) {
+    std::uint32_t equals = candidates_[a].equals;
+    if (equals == kNoClass) equals = candidates_[b].equals;
     if (equals == kNoClass) {
       equals = static_cast<std::uint32_t>(classes_.size());
       classes_.emplace_back();
     }
-    for (const ClusterPair& pair : {a, b}) {
-      if (candidates_.at(pair).equals != equals) narrow(pair, equals);
+    for (const std::uint32_t each : {a, b}) {
+      if (candidates_[each].equals != equals) narrow(each, equals);
     }
     classes_[equals].evidence.add({ordering.tie_proof, ordering.bits});
   }
 
   bool merge_cheapest() {
-    const auto pair = cheapest();
-    if (!pair) return false;
-    if (!by_concavity_ && options_.guard && !options_.guard(triangles_of(*pair))) {
-      refuse(*pair);
+    const auto cheapest_id = cheapest();
+    if (!cheapest_id) return false;
+    CandidatePair& winner = candidates_[*cheapest_id];
+    if (!by_concavity_ && options_.guard && !options_.guard(triangles_of(winner.pair))) {
+      refuse(*cheapest_id);
       return true;  // the next call finds another one
     }
-    Merge merge{.kept = TriangleId(pair->first),
-                .gone = TriangleId(pair->second),
+    Merge merge{.kept = TriangleId(winner.pair.first),
+                .gone = TriangleId(winner.pair.second),
                 .beyond_limit = by_concavity_};
-    CandidatePair& winner = candidates_.at(*pair);
     if (winner.equals != kNoClass && classes_[winner.equals].members > 1) {
       merge.ties = classes_[winner.equals].members - 1;
       merge.tie_evidence = classes_[winner.equals].evidence;
     }
     if (options_.costs) {
-      const MergeCost& cost = exact_cost(*pair, winner);
+      const MergeCost& cost = exact_cost(winner);
       merge.squared_concavity = cost.squared_concavity;
       merge.cost = order_.enclose(cost, kMeasureBits, options_.watch);
     }
-    collapse(*pair);
+    collapse(*cheapest_id);
     made_.merges.push_back(std::move(merge));
     report_progress();
     return true;
   }
 
   // A union that holds this one will be refused, too, like one that is too concave.
-  void refuse(const ClusterPair& pair) {
+  void refuse(std::uint32_t refused) {
     ++made_.refused;
-    CandidatePair candidate = std::move(candidates_.at(pair));
-    leave(pair);
-    candidate.is_beyond = true;
-    candidate.equals = kNoClass;
-    candidate.united.reset();
-    enter(pair, std::move(candidate));
+    leave(refused);
+    candidates_[refused].state = CandidateState::Beyond;
+    candidates_[refused].united.reset();
   }
 
-  void collapse(const ClusterPair& pair) {
-    const std::uint32_t kept = pair.first, gone = pair.second;
-    NearCluster near = std::move(*candidates_.at(pair).united);
-    leave(pair);
-    Cluster a = std::move(clusters_.at(kept)), b = std::move(clusters_.at(gone));
-    clusters_.erase(gone);
-    std::erase(a.neighbours, gone);
-    std::erase(b.neighbours, kept);
-    // The bounds of a union are lower bounds for a larger one.
-    std::map<std::uint32_t, CandidatePair> known;
-    for (const auto& [name, beside] :
-         {std::pair(kept, &a.neighbours), std::pair(gone, &b.neighbours)}) {
-      for (const std::uint32_t other : *beside) {
-        const ClusterPair old = std::minmax(name, other);
-        const CandidatePair& before = candidates_.at(old);
-        CandidatePair& after = known[other];
-        after.concavity.low =
-            std::max({after.concavity.low, before.concavity.low, near.concavity.low});
-        after.is_beyond = after.is_beyond || before.is_beyond;
-        leave(old);
-        std::erase(clusters_.at(other).neighbours, name);
-      }
-    }
+  void collapse(std::uint32_t merged) {
+    const std::uint32_t kept = candidates_[merged].pair.first;
+    const std::uint32_t gone = candidates_[merged].pair.second;
+    Cluster& a = clusters_[kept];
+    const Cluster b = std::exchange(clusters_[gone], {});
     a.triangles.insert(a.triangles.end(), b.triangles.begin(), b.triangles.end());
     a.shape = shapes_.unite(a.shape, b.shape);
-    a.near = std::move(near);
+    a.near = std::move(*candidates_[merged].united);
+    leave(merged);
+    candidates_[merged] = {.state = CandidateState::Gone};
+    --count_;
+    std::vector<Neighbour> beside;  // twice those that are beside both
+    std::merge(a.neighbours.begin(), a.neighbours.end(), b.neighbours.begin(), b.neighbours.end(),
+               std::back_inserter(beside), Neighbour::is_before);
     a.neighbours.clear();
-    for (const auto& [other, candidate] : known) {
-      a.neighbours.push_back(other);
-      clusters_.at(other).neighbours.push_back(kept);
+    for (const auto& [other, beside_it] : beside) {
+      if (other == kept || other == gone) continue;
+      leave(beside_it);
+      CandidatePair& before = candidates_[beside_it];
+      // The bounds of a union are lower bounds for a larger one.
+      CandidatePair after{.pair = std::minmax(kept, other)};
+      after.concavity.low = std::max(before.concavity.low, a.near.concavity.low);
+      if (before.state == CandidateState::Beyond) after.state = CandidateState::Beyond;
+      if (!a.neighbours.empty() && a.neighbours.back().cluster == other) {
+        CandidatePair& twin = candidates_[a.neighbours.back().candidate];
+        twin.concavity.low = std::max(twin.concavity.low, after.concavity.low);
+        if (after.state == CandidateState::Beyond) twin.state = CandidateState::Beyond;
+        before = {.state = CandidateState::Gone};
+        continue;
+      }
+      before = std::move(after);
+      a.neighbours.push_back({other, beside_it});
     }
-    clusters_.at(kept) = std::move(a);
-    for (auto& [other, candidate] : known) enter(std::minmax(kept, other), std::move(candidate));
+    for (const Neighbour& beside_a : a.neighbours) {
+      std::vector<Neighbour>& theirs = clusters_[beside_a.cluster].neighbours;
+      std::erase_if(theirs, [&](const Neighbour& each) {
+        return each.cluster == kept || each.cluster == gone;
+      });
+      const Neighbour own{kept, beside_a.candidate};
+      theirs.insert(std::upper_bound(theirs.begin(), theirs.end(), own, Neighbour::is_before), own);
+      enter(beside_a.candidate);
+    }
   }
 
   // No merge within the limit is left: all candidates are beyond it.
   void queue_by_concavity() {
     by_concavity_ = true;
-    auto before = std::exchange(candidates_, {});
-    for (const auto& [pair, candidate] : before) {
-      CandidatePair stale;
-      stale.concavity.low = candidate.concavity.low;
-      enter(pair, std::move(stale));
+    for (std::uint32_t k = 0; k < candidates_.size(); ++k) {
+      CandidatePair& candidate = candidates_[k];
+      if (candidate.state == CandidateState::Gone) continue;
+      candidate = {.pair = candidate.pair, .concavity = {.low = candidate.concavity.low}};
+      enter(k);
     }
   }
 
@@ -386,9 +477,10 @@ class FilteredEngine {
   NearConcavity near_;
   NearShapes shapes_;
   LengthBounds limit_;
-  std::map<std::uint32_t, Cluster> clusters_;  // by their lowest triangles
-  std::map<ClusterPair, CandidatePair> candidates_;
-  std::set<Place> queue_;  // candidates that are not certain to exceed the limit
+  std::vector<Cluster> clusters_;  // by their lowest triangles
+  std::size_t count_ = 0;          // of clusters
+  std::vector<CandidatePair> candidates_;
+  CandidateQueue queue_{candidates_};
   std::vector<Class> classes_{1};
   Clustering made_;
 };
