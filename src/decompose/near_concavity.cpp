@@ -33,24 +33,6 @@ bool are_coplanar(const PointSet& points, const std::array<PointId, 4>& p) {
 
 }  // namespace
 
-FacetsAtPoints::FacetsAtPoints(const NearFacets& facets) {
-  std::vector<std::pair<PointId, std::int32_t>> pairs;
-  for (std::size_t h = 0; h < facets.corners.size(); ++h) {
-    for (const PointId p : facets.corners[h]) pairs.emplace_back(p, static_cast<std::int32_t>(h));
-  }
-  std::sort(pairs.begin(), pairs.end());
-  for (const auto& [point, facet] : pairs) {
-    points_.push_back(point);
-    facets_.push_back(facet);
-  }
-}
-
-std::span<const std::int32_t> FacetsAtPoints::at(PointId point) const {
-  const auto [first, last] = std::equal_range(points_.begin(), points_.end(), point);
-  return std::span(facets_).subspan(static_cast<std::size_t>(first - points_.begin()),
-                                    static_cast<std::size_t>(last - first));
-}
-
 NearConcavity::NearConcavity(const Surface& surface, ConcavityMeasure measure, bool is_float)
     : surface_(&surface), measure_(measure), is_float_(is_float), exact_(surface, measure) {
   double most = 0;
@@ -110,15 +92,14 @@ void NearConcavity::add_directions(const Surface& surface) {
   }
 }
 
-std::vector<PointId> NearConcavity::corners_of(std::uint32_t item) const {
-  if (measure_ == ConcavityMeasure::Vertices) return {PointId(item)};
-  const auto& triangle = surface_->triangles[item];
-  return {triangle.begin(), triangle.end()};
+NearConcavity::Corners NearConcavity::corners_of(std::uint32_t item) const {
+  if (measure_ == ConcavityMeasure::Vertices) return {{PointId(item)}, 1};
+  return {surface_->triangles[item], 3};
 }
 
 NearCluster NearConcavity::cluster(std::span<const TriangleId> triangles) const {
   NearCluster cluster = without_bounds(triangles);
-  bound_rays(cluster, kNoBound);
+  bound_rays(cluster, FacetsAtPoints(cluster.extreme, cluster.facets), kNoBound);
   return cluster;
 }
 
@@ -126,16 +107,17 @@ bool NearConcavity::is_within(std::span<const TriangleId> triangles,
                               const LengthBounds& limit) const {
   constexpr std::size_t kSome = 64;
   NearCluster cluster = without_bounds(triangles);
+  const FacetsAtPoints at_points(cluster.extreme, cluster.facets);
   NearCluster some{
       .extreme = cluster.extreme, .facets = cluster.facets, .rays = {}, .concavity = {}};
   const std::size_t stride = cluster.rays.size() / kSome + 1;
   for (std::size_t k = 0; k < cluster.rays.size(); k += stride) {
     some.rays.push_back(cluster.rays[k]);
   }
-  bound_rays(some, limit.high);
+  bound_rays(some, at_points, limit.high);
   if (some.concavity.low > limit.high) return false;
   cluster.concavity.low = some.concavity.low;
-  bound_rays(cluster, limit.high);
+  bound_rays(cluster, at_points, limit.high);
   return cluster.concavity.high <= limit.low;
 }
 
@@ -159,12 +141,14 @@ NearCluster NearConcavity::without_bounds(std::span<const TriangleId> triangles)
 NearCluster NearConcavity::unite(const NearCluster& a, const NearCluster& b, double limit) const {
   NearCluster both;
   std::vector<PointId> points;
+  points.reserve(a.extreme.size() + b.extreme.size());
   std::set_union(a.extreme.begin(), a.extreme.end(), b.extreme.begin(), b.extreme.end(),
                  std::back_inserter(points));
   std::tie(both.extreme, both.facets) =
       near_hull_of(surface_->points, points, points_, off_, is_float_);
-  const auto same_a = same_planes(a.facets, both.facets);
-  const auto same_b = same_planes(b.facets, both.facets);
+  const FacetsAtPoints at_points(both.extreme, both.facets);
+  const auto same_a = at_points.same_planes(a.facets);
+  const auto same_b = at_points.same_planes(b.facets);
   both.rays.reserve(a.rays.size() + b.rays.size());
   auto x = a.rays.begin(), y = b.rays.begin();
   while (x != a.rays.end() || y != b.rays.end()) {
@@ -179,7 +163,7 @@ NearCluster NearConcavity::unite(const NearCluster& a, const NearCluster& b, dou
   }
   // Concavity never falls when a cluster grows.
   both.concavity.low = std::max(a.concavity.low, b.concavity.low);
-  bound_rays(both, limit);
+  bound_rays(both, at_points, limit);
   return both;
 }
 
@@ -187,7 +171,7 @@ NearCluster NearConcavity::unite(const NearCluster& a, const NearCluster& b, dou
 // one that bounds it, or one at a corner.
 void NearConcavity::look_for_plane_of(const NearFacets& facets, const FacetsAtPoints& at_points,
                                       RayBound& ray) const {
-  const std::vector<PointId> corners = corners_of(ray.item);
+  const Corners corners = corners_of(ray.item);
   const Direction& direction = directions_[ray.item];
   const auto holds = [&](std::int32_t h) {
     const NearFacets::Plane& plane = facets.planes[static_cast<std::size_t>(h)];
@@ -236,23 +220,24 @@ bool NearConcavity::is_as_good_as_errors(const RayBound& ray) const {
   return !is_float_ && (ray.high <= kAsRounding || (ray.is_rounding && ray.high <= kMaybeZero));
 }
 
-void NearConcavity::bound_rays(NearCluster& cluster, double limit) const {
+void NearConcavity::bound_rays(NearCluster& cluster, const FacetsAtPoints& at_points,
+                               double limit) const {
   if (cluster.facets.planes.empty()) return bound_flat_rays(cluster);
+  NearRays rays(cluster.facets);
   std::vector<Point> corners;
-  const auto rays_of = [&](const RayBound& ray) {
+  const auto go_on_with = [&](const RayBound& ray) {
     corners.clear();
     for (const PointId p : corners_of(ray.item)) corners.push_back(points_[p.index()]);
     const Direction& direction = directions_[ray.item];
-    return NearRays(cluster.facets, corners, direction.unit, direction.error);
+    rays.assign(corners, direction.unit, direction.error);
   };
-  const FacetsAtPoints at_points(cluster.facets);
   std::vector<std::uint32_t> longer;  // rays that may be longer than the known bound
   LengthBounds& found = cluster.concavity;
   for (std::uint32_t k = 0; k < cluster.rays.size(); ++k) {
     RayBound& ray = cluster.rays[k];
     if (std::isinf(ray.high)) {
       // In a nearly convex cluster rays leave beside their own points.
-      NearRays rays = rays_of(ray);
+      go_on_with(ray);
       for (const PointId p : corners_of(ray.item)) rays.bound_by(at_points.at(p), ray);
       if (!is_as_good_as_errors(ray)) rays.bound_quickly(ray);
       if (ray.high <= kMaybeZero && !is_float_) look_for_plane_of(cluster.facets, at_points, ray);
@@ -268,7 +253,8 @@ void NearConcavity::bound_rays(NearCluster& cluster, double limit) const {
     RayBound& ray = cluster.rays[k];
     if (ray.high <= found.low) break;
     if (is_as_good_as_errors(ray)) continue;
-    const double low = rays_of(ray).bound_tightly(ray, found.low);
+    go_on_with(ray);
+    const double low = rays.bound_tightly(ray, found.low);
     found.low = std::max(found.low, is_float_ ? ray.high : low);
     if (found.low > limit) return;
   }

@@ -23,17 +23,6 @@ struct NearCluster {
   LengthBounds concavity;
 };
 
-/// The facets at a point, as far as the planes were computed from it.
-class FacetsAtPoints {
- public:
-  explicit FacetsAtPoints(const NearFacets& facets);
-  [[nodiscard]] std::span<const std::int32_t> at(PointId point) const;
-
- private:
-  std::vector<PointId> points_;       // ascending, each once for each of its facets
-  std::vector<std::int32_t> facets_;  // by index into points_
-};
-
 /// Bounds concavities of clusters of one surface. Where the doubles are not enough, a bound may be
 /// as weak as [0, infinity].
 class NearConcavity {
@@ -89,10 +78,18 @@ class NearConcavity {
 
   void add_directions(const Surface& surface);
   [[nodiscard]] Direction direction_of(const Point& normal, double error, bool exists) const;
-  [[nodiscard]] std::vector<PointId> corners_of(std::uint32_t item) const;
+  /// Of an item: a triangle's three points, or the point alone.
+  struct Corners {
+    std::array<PointId, 3> points;
+    std::size_t count;
+
+    auto begin() const { return points.begin(); }
+    auto end() const { return points.begin() + static_cast<std::ptrdiff_t>(count); }
+  };
+  [[nodiscard]] Corners corners_of(std::uint32_t item) const;
   [[nodiscard]] NearCluster without_bounds(std::span<const TriangleId> triangles) const;
   [[nodiscard]] bool is_as_good_as_errors(const RayBound& ray) const;
-  void bound_rays(NearCluster& cluster, double limit) const;
+  void bound_rays(NearCluster& cluster, const FacetsAtPoints& at_points, double limit) const;
   void bound_flat_rays(NearCluster& cluster) const;
   [[nodiscard]] std::optional<Concavity> exact(const NearFacets& facets, TriangleId triangle,
                                                std::span<RayBound* const> rays,

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
+#include <numeric>
 #include <variant>
 
 #include "convexact/geometry.hpp"
@@ -140,14 +140,41 @@ std::pair<std::vector<PointId>, NearFacets> near_hull_of(const PointSet& points,
   return {std::move(extreme), std::move(facets)};
 }
 
-std::vector<std::int32_t> same_planes(const NearFacets& from, const NearFacets& to) {
-  std::map<std::array<PointId, 3>, std::int32_t> found;
-  for (std::size_t h = 0; h < to.corners.size(); ++h) {
-    found.emplace(to.corners[h], static_cast<std::int32_t>(h));
+FacetsAtPoints::FacetsAtPoints(const std::vector<PointId>& extreme, const NearFacets& facets)
+    : extreme_(extreme), facets_(facets), starts_(extreme.size() + 1, 0) {
+  std::vector<std::size_t> places;
+  places.reserve(3 * facets.corners.size());
+  for (const auto& corners : facets.corners) {
+    for (const PointId p : corners) {
+      places.push_back(place_of(p));
+      ++starts_[places.back()];
+    }
   }
-  std::vector<std::int32_t> same(from.corners.size(), -1);
-  for (std::size_t h = 0; h < from.corners.size(); ++h) {
-    if (const auto it = found.find(from.corners[h]); it != found.end()) same[h] = it->second;
+  // From the last facet to the first, each point's range is filled from its end.
+  std::partial_sum(starts_.begin(), starts_.end(), starts_.begin());
+  at_.resize(places.size());
+  for (std::size_t k = places.size(); k-- > 0;) {
+    at_[--starts_[places[k]]] = static_cast<std::int32_t>(k / 3);
+  }
+}
+
+std::size_t FacetsAtPoints::place_of(PointId point) const {
+  return static_cast<std::size_t>(std::lower_bound(extreme_.begin(), extreme_.end(), point) -
+                                  extreme_.begin());
+}
+
+std::span<const std::int32_t> FacetsAtPoints::at(PointId point) const {
+  const std::size_t place = place_of(point);
+  if (place == extreme_.size() || extreme_[place] != point) return {};
+  return std::span(at_).subspan(starts_[place], starts_[place + 1] - starts_[place]);
+}
+
+std::vector<std::int32_t> FacetsAtPoints::same_planes(const NearFacets& other) const {
+  std::vector<std::int32_t> same(other.corners.size(), -1);
+  for (std::size_t h = 0; h < other.corners.size(); ++h) {
+    for (const std::int32_t own : at(other.corners[h][0])) {
+      if (facets_.corners[static_cast<std::size_t>(own)] == other.corners[h]) same[h] = own;
+    }
   }
   return same;
 }

@@ -58,7 +58,25 @@ struct NearFacets {
     const PointSet& points, const std::vector<PointId>& ids, std::span<const Point> near,
     double off, bool is_float);
 
-/// By plane of a hull: which plane of another one is the same, or -1.
-[[nodiscard]] std::vector<std::int32_t> same_planes(const NearFacets& from, const NearFacets& to);
+/// The facets of a hull at its corners, as far as their planes were computed from these.
+class FacetsAtPoints {
+ public:
+  /// Keeps references. @param extreme  The corners of the hull, ascending.
+  FacetsAtPoints(const std::vector<PointId>& extreme, const NearFacets& facets);
+
+  /// Ascending; none if the point is no corner.
+  [[nodiscard]] std::span<const std::int32_t> at(PointId point) const;
+
+  /// By plane of another hull: which plane of this one is the same, or -1.
+  [[nodiscard]] std::vector<std::int32_t> same_planes(const NearFacets& other) const;
+
+ private:
+  [[nodiscard]] std::size_t place_of(PointId point) const;
+
+  const std::vector<PointId>& extreme_;
+  const NearFacets& facets_;
+  std::vector<std::uint32_t> starts_;  // by place in extreme_, and the end of the last one
+  std::vector<std::int32_t> at_;
+};
 
 }  // namespace convexact

@@ -28,11 +28,12 @@ RayBound moved(RayBound ray, const std::vector<std::int32_t>& same) {
   return holds ? ray : RayBound{.item = ray.item};
 }
 
-NearRays::NearRays(const NearFacets& facets, std::span<const Point> corners, const Point& unit,
-                   double error)
-    : facets_(facets), count_(corners.size()), unit_(unit), error_(error) {
+void NearRays::assign(std::span<const Point> corners, const Point& unit, double error) {
+  count_ = corners.size();
+  unit_ = unit;
+  error_ = error;
   for (std::size_t k = 0; k < 3; ++k)
-    corners_[k] = corners[std::min(k, count_ - 1)] - facets.origin;
+    corners_[k] = corners[std::min(k, count_ - 1)] - facets_.origin;
 }
 
 Point NearRays::at(const Weights& weights) const {
@@ -48,8 +49,11 @@ std::int32_t NearRays::plane_ahead(const Weights& weights) const {
   for (std::size_t h = 0; h < facets_.planes.size(); ++h) {
     const NearFacets::Plane& plane = facets_.planes[h];
     const NearValue along = plane.along(unit_, error_);
+    const double depth = plane.depth(x);
+    // This decides nearly all planes, those that face away as well, without a division.
+    if (depth > least * along.value * kUp) continue;
     if (!along.surely_positive()) continue;
-    const double f = std::max(0.0, plane.depth(x)) / along.value;
+    const double f = std::max(0.0, depth) / along.value;
     if (f < least) {
       least = f;
       first = static_cast<std::int32_t>(h);

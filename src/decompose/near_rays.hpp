@@ -36,16 +36,19 @@ struct RayBound {
 };
 
 /// The bound of the same ray in a larger hull: it still holds if its planes are planes of that one.
-/// @param same  same_planes() of the two hulls.
+/// @param same  By plane of the hull: the same one of the larger hull, or -1.
 [[nodiscard]] RayBound moved(RayBound ray, const std::vector<std::int32_t>& same);
 
-/// The rays of a triangle, or of a point.
+/// The rays of a triangle, or of a point, inside a hull.
 class NearRays {
  public:
+  /// Keeps a reference.
+  explicit NearRays(const NearFacets& facets) : facets_(facets) {}
+
+  /// Goes on with other rays; keeps the memory of the old ones.
   /// @param corners  One or three of the points from which the hull was computed, or others in it.
   /// @param unit, error  The direction: of length 1, each component within `error`.
-  NearRays(const NearFacets& facets, std::span<const Point> corners, const Point& unit,
-           double error);
+  void assign(std::span<const Point> corners, const Point& unit, double error);
 
   /// An upper bound by one plane: the one where the ray from the middle leaves.
   void bound_quickly(RayBound& ray);
@@ -72,9 +75,9 @@ class NearRays {
 
   const NearFacets& facets_;
   std::array<Point, 3> corners_;
-  std::size_t count_;
-  Point unit_;
-  double error_;
+  std::size_t count_ = 0;
+  Point unit_ = Point::Zero();
+  double error_ = 0;
   std::vector<Cut> cuts_;
 };
 
