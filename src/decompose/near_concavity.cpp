@@ -239,6 +239,8 @@ void NearConcavity::bound_rays(NearCluster& cluster, const FacetsAtPoints& at_po
       // In a nearly convex cluster rays leave beside their own points.
       go_on_with(ray);
       for (const PointId p : corners_of(ray.item)) rays.bound_by(at_points.at(p), ray);
+      // A ray that is certain to be shorter than the longest one stays so.
+      if (ray.high < found.low) continue;
       if (!is_as_good_as_errors(ray)) rays.bound_quickly(ray);
       if (ray.high <= kMaybeZero && !is_float_) look_for_plane_of(cluster.facets, at_points, ray);
     }
