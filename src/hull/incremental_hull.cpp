@@ -90,6 +90,10 @@ class IncrementalHull {
         jobs_(Points::kForThreads ? options.jobs : 1),
         watch_(options.watch) {
     result_.inside.reserve(near_.size());
+    // Memory for all of a small hull at once; a large one may have few triangles for its points.
+    constexpr std::size_t kSmall = 256;
+    result_.triangles.reserve(std::min(2 * near_.size(), kSmall));
+    conflicts_.reserve(result_.triangles.capacity());
     start(simplex);
   }
 
@@ -265,6 +269,7 @@ class IncrementalHull {
     for (std::size_t i = 0; i < near_.size(); ++i) {
       if (conflict_[i] != kNone) order.emplace_back(i);
     }
+    if (order.empty()) return;  // a generator takes long to start for a small hull
     Random random(seed);
     shuffle(std::span(order), random);
     for (const PointId p : order) {
