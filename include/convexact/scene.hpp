@@ -3,6 +3,7 @@
 #pragma once
 #include <array>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <span>
 #include <string>
@@ -99,8 +100,10 @@ struct SceneOptions {
   bool skip_bad = false;  ///< As ReadOptions::skip_bad.
   /// Called with the name of the file and each of Mesh::notes.
   std::function<void(const std::string& name, const std::string& note)> on_note = {};
-  /// Called with the name and the bytes of each file before it is parsed.
-  std::function<void(const std::string& name, const std::string& bytes)> on_read = {};
+  /// Called with the name and the bytes of each file before it is parsed. To keep the bytes costs
+  /// no copy.
+  std::function<void(const std::string& name, std::shared_ptr<const std::string> bytes)> on_read =
+      {};
 };
 
 /// Redundant halfspaces of a list by their rows in the file, counted from 0.

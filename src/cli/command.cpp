@@ -155,8 +155,8 @@ void remember_command_line(int argc, char** argv) {
 
 const std::string& called_as() { return reproducer().command_line.front(); }
 
-void remember_input(const std::string& name, const std::string& bytes) {
-  reproducer().inputs.emplace_back(name, bytes);
+void remember_input(const std::string& name, std::shared_ptr<const std::string> bytes) {
+  reproducer().inputs.emplace_back(name, std::move(bytes));
 }
 
 int end_of_parsing(const Command& program, const NotRun& reason) {

@@ -48,7 +48,7 @@ void add_verify_command(Command& program, int& exit_code);
 
 /// For a reproducer: the words of the command line, and each input as soon as it is read.
 void remember_command_line(int argc, char** argv);
-void remember_input(const std::string& name, const std::string& bytes);
+void remember_input(const std::string& name, std::shared_ptr<const std::string> bytes);
 /// The program as it was called: a name, or a path.
 [[nodiscard]] const std::string& called_as();
 

@@ -58,10 +58,10 @@ void add_implicit_options(Command& command, ImplicitOptions& options) {
 
 SceneObject read_implicit_object(const ImplicitOptions& options, const SceneOptions& scene,
                                  const Watch& watch) {
-  const std::string bytes = read_bytes(options.file);
+  const auto bytes = std::make_shared<const std::string>(read_bytes(options.file));
   if (scene.on_read) scene.on_read(display_name(options.file), bytes);
   try {
-    const ImplicitShape shape = read_implicit_bytes(bytes);
+    const ImplicitShape shape = read_implicit_bytes(*bytes);
     *options.found = {shape.bounds(), kept_cells(shape, *options.box, *options.depth, watch),
                       closed_measures(shape, kMeasureBits)};
   } catch (const Error& error) {

@@ -104,9 +104,9 @@ void require(bool is_true) {
 // The tree in a file of convexact bvh; nothing if it holds none.
 std::optional<HullTree> tree_in(const std::string& path, Decimal decimal) {
   if (halfspace_format_of_path(path) != HalfspaceFormat::Json) return {};
-  const std::string bytes = read_bytes(path);
-  if (bytes.find("\"hull_tree\"") == bytes.npos) return {};
-  CandidateParts read = read_parts_bytes(bytes, path, decimal);
+  const auto bytes = std::make_shared<const std::string>(read_bytes(path));
+  if (bytes->find("\"hull_tree\"") == bytes->npos) return {};
+  CandidateParts read = read_parts_bytes(*bytes, path, decimal);
   if (auto* error = std::get_if<Error>(&read)) throw std::move(*error);
   auto* tree = std::get_if<HullTree>(&read);
   if (tree == nullptr) return {};
@@ -169,10 +169,11 @@ std::vector<Ray> rays_of(const QueryArguments& options) {
   if (options.a == "-" && options.rays == "-") {
     throw Error(ErrorCode::InvalidArgument, "standard input, -, can be read only once");
   }
-  const std::string file = display_name(options.rays), bytes = read_bytes(options.rays);
+  const std::string file = display_name(options.rays);
+  const auto bytes = std::make_shared<const std::string>(read_bytes(options.rays));
   remember_input(file, bytes);
   try {
-    return read_rays_bytes(bytes, options.scene.decimal);
+    return read_rays_bytes(*bytes, options.scene.decimal);
   } catch (const Error& error) {
     throw error.in_file(file);
   }

@@ -15,7 +15,7 @@ std::string text_of(const Reproducer& reproducer) {
   for (const std::string& word : reproducer.command_line) text += " " + word;
   text += "\nfailure: " + reproducer.failure + "\n";
   for (const auto& [name, bytes] : reproducer.inputs) {
-    text += "input " + name + ", " + std::to_string(bytes.size()) + " bytes:\n" + bytes + "\n";
+    text += "input " + name + ", " + std::to_string(bytes->size()) + " bytes:\n" + *bytes + "\n";
   }
   return text;
 }

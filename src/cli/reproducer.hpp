@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 // reproducer.hpp - the data for a bug report, kept when a verification of convexact itself fails.
 #pragma once
+#include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace convexact::cli {
@@ -10,8 +12,8 @@ namespace convexact::cli {
 struct Reproducer {
   std::vector<std::string> command_line;
   std::string failure;
-  /// Names and bytes of the inputs that were read.
-  std::vector<std::pair<std::string, std::string>> inputs;
+  /// Names and bytes of the inputs that were read; their readers share the bytes.
+  std::vector<std::pair<std::string, std::shared_ptr<const std::string>>> inputs;
 };
 
 /// Writes a text file "convexact-reproducer.txt" (or "-2", "-3", ... where that exists) into

@@ -19,10 +19,13 @@ OrderText read_order(const TraceOptions& options, Decimal decimal) {
                  .facets_path = options.facets,
                  .decimal = decimal,
                  .cost = options.cost};
-  remember_input(display_name(options.trace), text.bytes);
+  const auto remember = [](const std::string& path, const std::string& bytes) {
+    remember_input(display_name(path), std::make_shared<const std::string>(bytes));
+  };
+  remember(options.trace, text.bytes);
   if (!options.facets.empty()) {
     text.facets = read_bytes(options.facets);
-    remember_input(display_name(options.facets), *text.facets);
+    remember(options.facets, *text.facets);
   }
   return text;
 }

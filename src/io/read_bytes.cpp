@@ -3,6 +3,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstring>
 
@@ -48,7 +49,7 @@ std::string read_bytes(const std::string& path) {
   std::string bytes;
   std::size_t filled = 0;
   const std::size_t hint = S_ISREG(status.st_mode) ? static_cast<std::size_t>(status.st_size) : 0;
-  bytes.resize(hint + kChunk);
+  bytes.resize(std::max(hint + 1, kChunk));  // one more, to find the end
   while (true) {
     if (filled == bytes.size()) bytes.resize(2 * bytes.size());
     const ssize_t count = ::read(file.value(), bytes.data() + filled, bytes.size() - filled);

@@ -218,8 +218,9 @@ std::vector<SceneObject> read_scene(const std::vector<std::string>& paths,
   std::vector<SceneObject> objects;
   for (const std::string& path : paths) {
     const std::size_t before = objects.size();
-    const std::string bytes = read_bytes(path);
-    if (options.on_read) options.on_read(display_name(path), bytes);
+    const auto kept = std::make_shared<const std::string>(read_bytes(path));
+    if (options.on_read) options.on_read(display_name(path), kept);
+    const std::string& bytes = *kept;
     try {
       const FileKind kind = kind_of_file(bytes, path);
       if (kind.halfspaces) {

@@ -11,7 +11,9 @@ using convexact::cli::write_reproducer;
 
 TEST_CASE("reproducer: command, failure and inputs, and never over an older one") {
   const support::ScratchFolder scratch;
-  const Reproducer reproducer{{"convexact", "hull", "a.obj"}, "it broke", {{"a.obj", "v 1 2 3"}}};
+  const Reproducer reproducer{{"convexact", "hull", "a.obj"},
+                              "it broke",
+                              {{"a.obj", std::make_shared<const std::string>("v 1 2 3")}}};
   const std::string first = write_reproducer(reproducer, scratch.file("."));
   const std::string second = write_reproducer(reproducer, scratch.file("."));
   CHECK(first != second);
