@@ -150,6 +150,10 @@ Float round_exactly(std::string_view body, bool negative, std::string_view text)
 template <class Float>
 std::errc read_unsigned(std::string_view text, Float& value) {
 #ifdef __cpp_lib_to_chars
+  // Those with up to 15 digits after "0." are short in any case; of longer ones, too few.
+  constexpr std::size_t kLongest = 17;
+  const bool is_read = text.size() <= kLongest && from_short_decimal(text, value) == std::errc();
+  if (is_read && std::isfinite(value)) return {};
   const char* const last = text.data() + text.size();
   const auto [end, status] = std::from_chars(text.data(), last, value);
   return end == last ? status : std::errc::invalid_argument;

@@ -24,8 +24,8 @@ namespace convexact {
 [[nodiscard]] Rational parse_hex_float(std::string_view text);
 
 /// What std::from_chars gives for a whole decimal without sign, or for a name of infinity or NaN,
-/// of which all are infinity here: for libraries that lack it. Decimals whose mantissa or power of
-/// ten `Float`, float or double, cannot hold are left to exact arithmetic: result_out_of_range.
+/// of which all are infinity here: sooner, and for libraries that lack it. Decimals whose mantissa
+/// or power of ten `Float`, float or double, cannot hold are left to others: result_out_of_range.
 /// @returns std::errc::invalid_argument for anything else.
 template <class Float>
 [[nodiscard]] std::errc from_short_decimal(std::string_view text, Float& value);
