@@ -1,32 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "io/text_cursor.hpp"
 
-#include <array>
 #include <charconv>
 
 #include "number/text.hpp"
 
 namespace convexact {
-namespace {
-
-enum class ByteKind : unsigned char { Other, Blank, LineEnd, Backslash };
-
-// By table, since every byte of a file is asked.
-constexpr std::array<ByteKind, 256> kByteKinds = [] {
-  std::array<ByteKind, 256> kinds{};
-  for (const char c : {' ', '\t', '\v', '\f'})
-    kinds[static_cast<unsigned char>(c)] = ByteKind::Blank;
-  for (const char c : {'\n', '\r'}) kinds[static_cast<unsigned char>(c)] = ByteKind::LineEnd;
-  kinds['\\'] = ByteKind::Backslash;
-  return kinds;
-}();
-
-ByteKind byte_kind(char c) { return kByteKinds[static_cast<unsigned char>(c)]; }
-bool is_blank(char c) { return byte_kind(c) == ByteKind::Blank; }
-bool is_line_end(char c) { return byte_kind(c) == ByteKind::LineEnd; }
-
-}  // namespace
-
 TextCursor::TextCursor(std::string_view text, TextRules rules)
     : begin_(text.data()), position_(begin_), end_(begin_ + text.size()), rules_(rules) {
   // Some editors put a byte order mark before UTF-8.
@@ -42,25 +21,6 @@ void TextCursor::step_over_line_end() {
   const bool two = *position_ == '\r' && position_ + 1 < end_ && position_[1] == '\n';
   position_ += two ? 2 : 1;
   ++line_;
-}
-
-void TextCursor::skip_blanks() {
-  while (position_ < end_) {
-    const ByteKind kind = byte_kind(*position_);
-    if (kind == ByteKind::Blank) {
-      ++position_;
-    } else if (kind == ByteKind::Backslash && is_continuation()) {
-      ++position_;
-      if (position_ < end_) step_over_line_end();
-    } else {
-      return;
-    }
-  }
-}
-
-bool TextCursor::at_line_end() const {
-  return position_ == end_ || is_line_end(*position_) ||
-         (rules_.comment != '\0' && *position_ == rules_.comment);
 }
 
 bool TextCursor::next_line() {
@@ -81,18 +41,6 @@ bool TextCursor::next_line() {
   return false;
 }
 
-std::string_view TextCursor::token() {
-  skip_blanks();
-  if (at_line_end()) return {};
-  const char* first = position_;
-  for (; position_ < end_; ++position_) {
-    const ByteKind kind = byte_kind(*position_);
-    if (kind == ByteKind::Other) continue;
-    if (kind != ByteKind::Backslash || is_continuation()) break;
-  }
-  return {first, static_cast<std::size_t>(position_ - first)};
-}
-
 std::string_view TextCursor::rest() {
   while (position_ < end_ && is_blank(*position_)) ++position_;
   const char* first = position_;
@@ -106,12 +54,6 @@ std::string_view TextCursor::expect_line(std::string_view what, std::optional<st
   if (next_line()) return token();
   const std::string numbered = number ? " " + std::to_string(*number) : "";
   fail("expected " + std::string(what) + numbered + ", found the end of the file");
-}
-
-std::string_view TextCursor::expect_token(std::string_view what) {
-  const std::string_view found = token();
-  if (found.empty()) fail_expected(what, found);
-  return found;
 }
 
 void TextCursor::expect_line_end() {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // text_cursor.hpp - walks a text line by line and token by token, and knows where it is.
 #pragma once
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -27,6 +28,9 @@ class TextCursor {
   bool next_line();
   /// The next token of this line; empty if there is none.
   std::string_view token();
+  /// Takes the next token of this line if it is one to nine digits, not only zeros, and nothing is
+  /// in its way but blanks. Otherwise it is 0, and the cursor stays before the token.
+  std::uint32_t take_plain_index();
   /// The rest of this line without blanks around it, taken literally: no comment, no continuation.
   std::string_view rest();
 
@@ -60,6 +64,12 @@ class TextCursor {
   }
 
  private:
+  enum class ByteKind : unsigned char { Other, Blank, LineEnd, Backslash };
+  static const std::array<ByteKind, 256> kByteKinds;
+
+  static ByteKind kind_of(char c) { return kByteKinds[static_cast<unsigned char>(c)]; }
+  static bool is_blank(char c) { return kind_of(c) == ByteKind::Blank; }
+  static bool is_line_end(char c) { return kind_of(c) == ByteKind::LineEnd; }
   void skip_blanks();
   bool at_line_end() const;
   bool is_continuation() const;
@@ -72,5 +82,71 @@ class TextCursor {
   std::size_t line_ = 1;
   bool started_ = false;
 };
+
+// Inline is what every byte of a large file passes through.
+
+// By table, since every byte is asked.
+inline constexpr std::array<TextCursor::ByteKind, 256> TextCursor::kByteKinds = [] {
+  std::array<ByteKind, 256> kinds{};
+  for (const char c : {' ', '\t', '\v', '\f'}) {
+    kinds[static_cast<unsigned char>(c)] = ByteKind::Blank;
+  }
+  for (const char c : {'\n', '\r'}) kinds[static_cast<unsigned char>(c)] = ByteKind::LineEnd;
+  kinds['\\'] = ByteKind::Backslash;
+  return kinds;
+}();
+
+inline void TextCursor::skip_blanks() {
+  while (position_ < end_) {
+    const ByteKind kind = kind_of(*position_);
+    if (kind == ByteKind::Blank) {
+      ++position_;
+    } else if (kind == ByteKind::Backslash && is_continuation()) {
+      ++position_;
+      if (position_ < end_) step_over_line_end();
+    } else {
+      return;
+    }
+  }
+}
+
+inline bool TextCursor::at_line_end() const {
+  return position_ == end_ || is_line_end(*position_) ||
+         (rules_.comment != '\0' && *position_ == rules_.comment);
+}
+
+inline std::string_view TextCursor::token() {
+  skip_blanks();
+  if (at_line_end()) return {};
+  const char* const first = position_;
+  const char* next = first;
+  for (; next < end_; ++next) {
+    const ByteKind kind = kind_of(*next);
+    if (kind == ByteKind::Other) continue;
+    position_ = next;
+    if (kind != ByteKind::Backslash || is_continuation()) break;
+  }
+  position_ = next;
+  return {first, static_cast<std::size_t>(next - first)};
+}
+
+inline std::uint32_t TextCursor::take_plain_index() {
+  skip_blanks();
+  std::uint32_t index = 0;
+  const char* next = position_;
+  for (; next < end_ && '0' <= *next && *next <= '9'; ++next) {
+    index = 10 * index + static_cast<std::uint32_t>(*next - '0');
+  }
+  const bool is_token = next == end_ || is_blank(*next) || is_line_end(*next);
+  if (!is_token || next - position_ > 9 || index == 0) return 0;
+  position_ = next;
+  return index;
+}
+
+inline std::string_view TextCursor::expect_token(std::string_view what) {
+  const std::string_view found = token();
+  if (found.empty()) fail_expected(what, found);
+  return found;
+}
 
 }  // namespace convexact
