@@ -100,6 +100,9 @@ struct ReadOptions {
   /// Faces of one or two corners are an error, as in outputs that are judged. Otherwise a note
   /// counts them; their points count in any case.
   bool strict = false;
+  /// Check polygons as ever, but leave them and the parts out: for a caller that needs the points
+  /// alone. Most of the memory of a large mesh is its polygons.
+  bool points_only = false;
   /// Where the files lie that a glTF or COLLADA names; empty: naming one is an error. read_mesh()
   /// takes the folder of the file.
   std::string folder = {};

@@ -98,6 +98,8 @@ struct SceneOptions {
   /// Of a file, or with `parts` of each of its objects.
   MeshPoints points = MeshPoints::All;
   bool skip_bad = false;  ///< As ReadOptions::skip_bad.
+  /// Leave polygons and groups out of objects, unless `parts` or `points` needs them.
+  bool points_only = false;
   /// Called with the name of the file and each of Mesh::notes.
   std::function<void(const std::string& name, const std::string& note)> on_note = {};
   /// Called with the name and the bytes of each file before it is parsed. To keep the bytes costs

@@ -32,6 +32,8 @@ struct HullArguments {
   HullRequest request;
   std::optional<std::size_t> jobs;
   StdioOptions stdio;
+
+  bool needs_polygons() const { return !output.picture.empty(); }
 };
 
 using MeasuredHulls = std::vector<FoundObject<HullResult>>;

@@ -24,6 +24,9 @@ struct SimplifyArguments {
   bool exact_values = false;
   ImplicitOptions implicit;
   StdioOptions stdio;
+
+  /// For a picture, the faces of a group, or faces that stick out of their parts.
+  bool needs_polygons() const { return !output.picture.empty() || !keep.empty() || total_faces; }
 };
 
 void add_inner_options(Command& command, SimplifyArguments& options);

@@ -126,6 +126,7 @@ struct OutputObject : DrawnSolid {
 [[nodiscard]] std::string written_lines(const OutputOptions& options);
 
 /// The objects of all inputs; of a command with --implicit, possibly the corners of its cells.
+/// @param options  Their `needs_polygons()` says whether anything but the points of meshes counts.
 template <class Arguments>
 std::vector<SceneObject> read_objects(const Arguments& options, CommandRun& run) {
   if constexpr (requires { options.implicit; }) {
@@ -135,7 +136,9 @@ std::vector<SceneObject> read_objects(const Arguments& options, CommandRun& run)
       })};
     }
   }
-  return run.read(options.inputs, options.scene);
+  SceneOptions scene = options.scene;
+  scene.points_only = !options.needs_polygons();
+  return run.read(options.inputs, scene);
 }
 
 /// Runs a subcommand that reads objects, computes results for them under a watch, and writes the

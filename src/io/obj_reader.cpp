@@ -24,7 +24,8 @@ class ObjReader {
   ObjReader(std::string_view bytes, const ReadOptions& options)
       : cursor_(bytes, {.comment = '#', .continuation = true}),
         points_(options.decimal),
-        is_strict_(options.strict) {}
+        is_strict_(options.strict),
+        points_only_(options.points_only) {}
 
   Mesh read() {
     while (cursor_.next_line()) read_statement(cursor_.token());
@@ -35,7 +36,7 @@ class ObjReader {
                   line_of_largest_);
     }
     end_part();
-    if (has_named_part_) find_loose_points();
+    if (has_named_part_ && !points_only_) find_loose_points();
     if (mesh_.parts.empty()) mesh_.parts.push_back({"", 0, 0});
     if (skipped_faces_ > 0) mesh_.notes.push_back(skipped_faces_note(skipped_faces_));
     mesh_.points = points_.finish();
@@ -101,7 +102,7 @@ class ObjReader {
       ++skipped_faces_;
       return;
     }
-    mesh_.polygons.emplace_back(corners_.begin(), corners_.end());
+    if (!points_only_) mesh_.polygons.emplace_back(corners_.begin(), corners_.end());
   }
 
   // The index of the point, from 1, and perhaps beyond all points: they may follow their faces.
@@ -145,6 +146,7 @@ class ObjReader {
   // twice in a row is one part. Points before the first o or g are for all parts, and of none: many
   // write all points first.
   void end_part() {
+    if (points_only_) return;
     const std::size_t last = mesh_.polygons.size(), last_point = points_.size();
     const std::size_t first = mesh_.parts.empty() ? 0 : mesh_.parts.back().last_polygon;
     const bool has_points = has_named_part_ && part_of_point_.size() < last_point;
@@ -185,6 +187,7 @@ class ObjReader {
   TextCursor cursor_;
   PointCollector points_;
   bool is_strict_;
+  bool points_only_;  // polygons are checked, but neither kept nor counted in parts
   Mesh mesh_;
   std::string_view part_name_;
   bool has_named_part_ = false;             // an o or g was read

@@ -53,7 +53,9 @@ MeshFormat mesh_format_of_content(std::string_view bytes) {
   return is_off ? MeshFormat::Off : MeshFormat::Obj;
 }
 
-Mesh read_mesh_bytes(std::string_view bytes, const ReadOptions& options) {
+namespace {
+
+Mesh read_in_format(std::string_view bytes, const ReadOptions& options) {
   switch (options.format.value_or(mesh_format_of_content(bytes))) {
     case MeshFormat::Off:
       return read_off(bytes, options);
@@ -75,6 +77,17 @@ Mesh read_mesh_bytes(std::string_view bytes, const ReadOptions& options) {
       break;
   }
   return read_obj(bytes, options);
+}
+
+}  // namespace
+
+Mesh read_mesh_bytes(std::string_view bytes, const ReadOptions& options) {
+  Mesh mesh = read_in_format(bytes, options);
+  if (options.points_only) {
+    mesh.polygons = {};
+    mesh.parts = {};
+  }
+  return mesh;
 }
 
 Mesh read_mesh(const std::string& path, const ReadOptions& options) {

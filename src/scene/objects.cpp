@@ -66,14 +66,16 @@ SceneObject extract_part(const Mesh& mesh, const MeshPart& part, const std::stri
 void read_mesh_objects(const std::string& path, const std::string& bytes, MeshFormat format,
                        const SceneOptions& options, std::vector<SceneObject>& objects) {
   const std::string file = display_name(path);
-  Mesh mesh = read_mesh_bytes(bytes, {.decimal = options.decimal,
-                                      .format = format,
-                                      .skip_bad = options.skip_bad,
-                                      .folder = folder_of_file(path)});
+  const bool only_used = options.points == MeshPoints::Used;
+  Mesh mesh =
+      read_mesh_bytes(bytes, {.decimal = options.decimal,
+                              .format = format,
+                              .skip_bad = options.skip_bad,
+                              .points_only = options.points_only && !options.parts && !only_used,
+                              .folder = folder_of_file(path)});
   if (options.on_note) {
     for (const std::string& note : mesh.notes) options.on_note(file, note);
   }
-  const bool only_used = options.points == MeshPoints::Used;
   if (!options.parts) {
     if (only_used) drop_unused_points(mesh);
     objects.push_back({.name = file,
