@@ -77,7 +77,15 @@ void release(void* block, std::size_t) {
 
 }  // namespace
 
-void install_memory_functions() { mp_set_memory_functions(allocate, reallocate, release); }
+void install_memory_functions() {
+  mp_set_memory_functions(allocate, reallocate, release);
+#ifdef M_MMAP_THRESHOLD
+  // Keeps what is freed, since each page that the system gives anew costs a fault. glibc goes to
+  // these thresholds by itself, but only after it freed a block of that size.
+  mallopt(M_MMAP_THRESHOLD, 32 << 20);
+  mallopt(M_TRIM_THRESHOLD, 64 << 20);
+#endif
+}
 
 void limit_memory(std::uint64_t bytes, std::function<void()> words) {
   // Destructors of JSON values allocate, and must not throw: a failure in them ends the run as one
