@@ -80,7 +80,7 @@ class ObjReader {
   void read_face() {
     corners_.clear();
     while (true) {
-      // Most corners are an index and nothing else, which is read by itself in half of the time.
+      // Many corners are an index and nothing else, which needs no token.
       std::int64_t index = cursor_.take_plain_index();
       if (index == 0) {
         const std::string_view token = cursor_.token();

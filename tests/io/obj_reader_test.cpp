@@ -70,6 +70,45 @@ TEST_CASE("read_obj: a backslash that joins the last line with nothing ends it")
   }
 }
 
+TEST_CASE("read_obj: an index of any length, and where it ends") {
+  for (const std::string face : {"f 01 0000000002 000000000000000000003 4", "f 1\v2\f3 4 #5",
+                                 "f 1 2 3\\\n4", "f 1 2 3 \\\r\n\\\n4\\", "f 1 2 3 4\r"}) {
+    CAPTURE(face);
+    CHECK(obj(kSquare + face).polygons == std::vector<Polygon>{{0, 1, 2, 3}});
+  }
+  for (const std::string index : {"999999999",   "1000000000",   "2147483647",
+                                  "2147483648",  "4294967297",   "18446744073709551617",
+                                  "-2147483648", "-2147483649",  "-21474836480",
+                                  "0",           "000000000000", "-0",
+                                  "-",           "--1",          "+1",
+                                  "1-",          "1#",           "1\\2",
+                                  "1.",          "1/",           "/1"}) {
+    CAPTURE(index);
+    const Error error = error_of([&] { return obj(kSquare + "\nf 1 2 " + index + " 3\n"); });
+    CHECK(error.code() == ErrorCode::Malformed);
+    CHECK(error.line() == 6);
+  }
+}
+
+TEST_CASE("read_obj: of points only, polygons are checked but neither they nor parts are kept") {
+  const auto read = [](const std::string& text, bool points_only) {
+    return read_mesh_bytes(text, {.format = MeshFormat::Obj, .points_only = points_only});
+  };
+  const std::string text = "g a\n" + kSquare + "f 1 2 3\nf 1 2\no b\nv 5 5 5\nf 1/1 2/1 -1/1\n";
+  const Mesh mesh = read(text, true);
+  CHECK(mesh.points.size() == 5);
+  CHECK(mesh.polygons.empty());
+  CHECK(mesh.parts.empty());
+  CHECK(mesh.notes == read(text, false).notes);
+  for (const std::string face : {"f 1 2 9", "f 1 2 0", "f 1 2 x", "f", "f 1 2 -6", "f 1 2 3/"}) {
+    CAPTURE(face);
+    const auto refused = [&](bool points_only) {
+      return std::string(error_of([&] { return read(text + face, points_only); }).what());
+    };
+    CHECK(refused(true) == refused(false));
+  }
+}
+
 TEST_CASE("read_obj: points may follow the faces that use them") {
   CHECK(obj("f 1 2 3\n" + kSquare).polygons == std::vector<Polygon>{{0, 1, 2}});
 }
