@@ -251,12 +251,13 @@ Cost FilteredCap::exactly() const {
 }
 
 // Between the vertices (i, m - 1, m) and (i, m, m + 1) there is an edge unless they are the same.
-FacetOutline FilteredCap::outline() const {
-  FacetOutline result{*prepared_, {}};
-  const auto& v = ring_.vertices;
+FacetOutline FilteredCap::outline(HalfspaceId i) {
+  if (prepared_ != i) mesh_.one_ring(i, outline_ring_);
+  const auto& v = prepared_ == i ? ring_.vertices : outline_ring_.vertices;
+  FacetOutline result{i, {}};
   for (std::size_t m = 0, k = v.size(); m < k; ++m) {
     const HalfspaceId before = v[m == 0 ? k - 1 : m - 1], after = v[m + 1 == k ? 0 : m + 1];
-    if (signs_.height(*prepared_, before, v[m], after) == Sign::Zero) continue;
+    if (signs_.height(i, before, v[m], after) == Sign::Zero) continue;
     result.neighbours.push_back(v[m]);
   }
   return result;

@@ -10,6 +10,7 @@
 #include "convexact/number.hpp"
 #include "fast/cap_volume.hpp"
 #include "fast/close_determinants.hpp"
+#include "fast/congruence.hpp"
 #include "fast/dual.hpp"
 #include "fast/long_metric.hpp"
 #include "fast/mesh.hpp"
@@ -18,15 +19,6 @@
 #include "fast/signs.hpp"
 
 namespace convexact {
-
-/// The planes that determine a cap: the plane of its facet and those of all facets that share an
-/// edge with it, counter-clockwise from outside. Planes that only pass through a vertex of the
-/// facet bound nothing beyond it: without dual point i, the dual face they share with i keeps its
-/// other points.
-struct FacetOutline {
-  HalfspaceId facet;
-  std::vector<HalfspaceId> neighbours;
-};
 
 /// Receives every decision made without exact numbers: tests decide it again, proofs record it.
 class CostObserver {
@@ -70,7 +62,8 @@ class FilteredCap {
   CostBounds<DoubleDouble> in_double_doubles();
   /// The cost itself, in the caller's units.
   Cost exactly() const;
-  FacetOutline outline() const;
+  /// Of any dual point on the mesh, which need not be prepared, and is not prepared then.
+  FacetOutline outline(HalfspaceId i);
   /// Of area and mean width: the terms of the bounds found last. None for volumes, whose costs
   /// never fall.
   std::span<const LastingTerm> lasting_terms() const {
@@ -94,7 +87,7 @@ class FilteredCap {
   CostObserver* observer_;
   DualSigns signs_;
   std::optional<HalfspaceId> prepared_;
-  OneRing ring_;
+  OneRing ring_, outline_ring_;
   std::vector<RingTriangle> triangles_;
   RingTriangulator triangulator_;
   std::uint64_t seed_;

@@ -11,6 +11,7 @@
 
 #include "convexact/error.hpp"
 #include "convexact/number.hpp"
+#include "fast/congruence.hpp"
 #include "fast/mesh.hpp"
 #include "fast/signs.hpp"
 #include "number/arithmetic.hpp"
@@ -48,6 +49,15 @@ FastDual::~FastDual() = default;
 
 const Halfspace& FastDual::exact(HalfspaceId i) const { return (*planes_)[i.index()]; }
 
+std::span<const PointId> FastDual::corners(HalfspaceId i) const {
+  const bool is_of_doubles = planes_->points != nullptr && planes_->points->is_binary();
+  return is_of_doubles ? planes_->hull->facets[i.index()] : std::span<const PointId>();
+}
+
+const Point& FastDual::point(PointId corner) const {
+  return planes_->points->doubles()[corner.index()];
+}
+
 // Areas have one factor |P|, mean widths two, and P in the caller's frame is 2^-least as large as
 // in_callers_frame(), least being the lowest exponent of the frame.
 long FastDual::cost_exponent(CostMeasure measure) const {
@@ -66,11 +76,10 @@ bool FastDual::precedes(HalfspaceId i, HalfspaceId j) const {
   // The sign of a normal's first entry is that of the dual point's, unless that is zero.
   const double a = near(i).x, b = near(j).x;
   if ((a < 0 && b > 0) || (a > 0 && b < 0)) return a < b;
-  return exact(i) < exact(j);
+  const std::optional<bool> is_first = precedes_image(*this, i, j);
+  return is_first ? *is_first : exact(i) < exact(j);
 }
 
-// The outward normal up to rounding, its largest entry +-1; zero where doubles are too short for
-// it, as for a plane whose axis has far larger numbers than the others.
 std::array<double, 3> FastDual::direction(HalfspaceId i) const {
   std::array<double, 3> n{near(i).x * axis_weight_[0], near(i).y * axis_weight_[1],
                           near(i).z * axis_weight_[2]};

@@ -116,10 +116,18 @@ class FastDual {
 
   /// The halfspace itself; formed when it is first asked for.
   const Halfspace& exact(HalfspaceId i) const;
+  /// Of a dual of a hull of doubles: the corners of facet i, counter-clockwise from outside.
+  /// Otherwise none.
+  std::span<const PointId> corners(HalfspaceId i) const;
+  /// One of these corners.
+  const Point& point(PointId corner) const;
   /// How many halfspaces have been formed so far.
   std::size_t formed() const;
   /// Whether i stands before j in canonical order.
   bool precedes(HalfspaceId i, HalfspaceId j) const;
+  /// The outward normal up to rounding, its largest entry +-1; zeros where doubles are too short
+  /// for it, as for a plane whose axis has far larger numbers than the others.
+  std::array<double, 3> direction(HalfspaceId i) const;
   /// The sizes of the entries of the normal, up to rounding, over the largest of them, ascending:
   /// the same for facets that a symmetry of the axes carries to each other. Zeros where doubles
   /// are too short for the normal: they tell nothing.
@@ -139,7 +147,6 @@ class FastDual {
   friend class FastDualBuilder;
   FastDual();
   struct Planes;
-  std::array<double, 3> direction(HalfspaceId i) const;
 
   std::vector<Triple<double>> near_, rest_;
   std::vector<DualTriangle> triangles_;

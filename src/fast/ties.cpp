@@ -2,101 +2,11 @@
 #include "fast/ties.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <utility>
 
-#include "fast/signs.hpp"
 #include "number/arithmetic.hpp"
 
 namespace convexact {
-namespace {
-
-// Row k has its only entry, sign[k], in column axis[k].
-struct SignedPermutation {
-  std::array<int, 3> axis, sign;
-
-  // Mirror images are run through clockwise.
-  bool is_reflection() const {
-    const bool even = (axis[1] - axis[0] + 3) % 3 == 1;
-    return sign[0] * sign[1] * sign[2] * (even ? 1 : -1) < 0;
-  }
-  // Whether to = S from.
-  bool carries(const IntegerVector3& from, const IntegerVector3& to) const {
-    for (int k = 0; k < 3; ++k) {
-      const Integer& x = from[axis[k]];
-      if (x.sign() * sign[k] != to[k].sign()) return false;
-      if (mpz_cmpabs(x.backend().data(), to[k].backend().data()) != 0) return false;
-    }
-    return true;
-  }
-};
-
-std::array<SignedPermutation, 48> all_signed_permutations() {
-  std::array<SignedPermutation, 48> all;
-  auto next = all.begin();
-  std::array<int, 3> axis{0, 1, 2};
-  do {
-    for (int signs = 0; signs < 8; ++signs) {
-      *next++ = {axis, {signs & 1 ? -1 : 1, signs & 2 ? -1 : 1, signs & 4 ? -1 : 1}};
-    }
-  } while (std::next_permutation(axis.begin(), axis.end()));
-  return all;
-}
-
-// Pairs of planes, one of each cap, whose normals correspond.
-using PlanePairs = std::vector<std::pair<const Halfspace*, const Halfspace*>>;
-
-// x -> S x + t carries {n.x + d = 0} to {Sn.x + d - Sn.t = 0}. So t solves Sn.t = d - d' for all
-// pairs. The first three planes meet in a vertex, so they determine t, by Cramer's rule as a
-// fraction.
-bool differ_by_one_translation(const PlanePairs& pairs) {
-  std::vector<Integer> shifts;
-  for (const auto& [from, to] : pairs) shifts.push_back(from->offset() - to->offset());
-  if (std::all_of(shifts.begin(), shifts.end(), [](const Integer& x) { return x == 0; })) {
-    return true;  // t = 0
-  }
-  const auto normal = [&](std::size_t m) -> const IntegerVector3& {
-    return pairs[m].second->normal();
-  };
-  const IntegerVector3 yz = normal(1).cross(normal(2)), zx = normal(2).cross(normal(0)),
-                       xy = normal(0).cross(normal(1));
-  Integer below = dot(normal(0), yz);
-  IntegerVector3 t;
-  for (int k = 0; k < 3; ++k) t[k] = yz[k] * shifts[0] + zx[k] * shifts[1] + xy[k] * shifts[2];
-  // Mostly a difference of coordinates, so a short fraction.
-  const Integer common = gcd(gcd(below, t[0]), gcd(t[1], t[2]));
-  below /= common;
-  for (int k = 0; k < 3; ++k) t[k] /= common;
-  for (std::size_t m = 3; m < pairs.size(); ++m) {
-    if (dot(normal(m), t) != below * shifts[m]) return false;
-  }
-  return true;
-}
-
-}  // namespace
-
-bool are_congruent(const FastDual& dual, const FacetOutline& a, const FacetOutline& b) {
-  static const std::array<SignedPermutation, 48> kSymmetries = all_signed_permutations();
-  const std::size_t k = a.neighbours.size();
-  if (b.neighbours.size() != k) return false;
-  PlanePairs pairs(k + 1);
-  pairs[0] = {&dual.exact(a.facet), &dual.exact(b.facet)};
-  for (const SignedPermutation& symmetry : kSymmetries) {
-    if (!symmetry.carries(pairs[0].first->normal(), pairs[0].second->normal())) continue;
-    const std::size_t step = symmetry.is_reflection() ? k - 1 : 1;
-    for (std::size_t start = 0; start < k; ++start) {
-      std::size_t m = 0;
-      for (; m < k; ++m) {
-        pairs[m + 1] = {&dual.exact(a.neighbours[m]),
-                        &dual.exact(b.neighbours[(start + m * step) % k])};
-        if (!symmetry.carries(pairs[m + 1].first->normal(), pairs[m + 1].second->normal())) break;
-      }
-      if (m == k && differ_by_one_translation(pairs)) return true;
-    }
-  }
-  return false;
-}
 
 Interval<DoubleDouble> TieBreaker::refine(HalfspaceId i) {
   if (is_refined(i)) {
@@ -128,11 +38,11 @@ TieBreaker::CostClass& TieBreaker::class_for(HalfspaceId i) {
   if (!is_new) return *place->second;
   const std::array<double, 3> sizes = dual_.normal_sizes(i);
   CostClass* its_class = congruent_class(i, sizes);
-  cap_.prepare(i);  // again, if the other cap had to be read: callers go on with this one
   if (its_class != nullptr) {
     ++its_class->members;
     ++counts_.congruent;
   } else {
+    cap_.prepare(i);
     its_class =
         &classes_
              .emplace(cell_of(sizes[1]), CostClass{i, {}, sizes, 1, cap_.in_double_doubles(), {}})
@@ -154,10 +64,7 @@ TieBreaker::CostClass* TieBreaker::congruent_class(HalfspaceId i,
       const std::array<double, 3>& others = known->second.sizes;
       if (std::abs(sizes[0] - others[0]) > FastDual::kEqualSizes) continue;
       if (std::abs(sizes[1] - others[1]) > FastDual::kEqualSizes) continue;
-      if (!outline) {
-        cap_.prepare(i);
-        outline = cap_.outline();
-      }
+      if (!outline) outline = cap_.outline(i);
       if (is_congruent(known->second, *outline)) return &known->second;
     }
   }
@@ -165,10 +72,7 @@ TieBreaker::CostClass* TieBreaker::congruent_class(HalfspaceId i,
 }
 
 bool TieBreaker::is_congruent(CostClass& known, const FacetOutline& outline) {
-  if (!known.outline) {
-    cap_.prepare(known.first);
-    known.outline = cap_.outline();
-  }
+  if (!known.outline) known.outline = cap_.outline(known.first);
   return are_congruent(dual_, *known.outline, outline);
 }
 

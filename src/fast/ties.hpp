@@ -9,17 +9,11 @@
 
 #include "convexact/number.hpp"
 #include "fast/cap.hpp"
+#include "fast/congruence.hpp"
 #include "fast/dual.hpp"
 #include "fast/engines.hpp"
 
 namespace convexact {
-
-/// Whether some isometry x -> S x + t, S one of the 48 signed permutations of the axes, carries the
-/// planes of `a` to those of `b`. True proves that both caps have the same volume, as mirror images
-/// in modelled shapes have; false proves nothing.
-/// @par Cost  Comparisons of integers, mostly of the first few; k - 2 determinants if t != 0.
-[[nodiscard]] bool are_congruent(const FastDual& dual, const FacetOutline& a,
-                                 const FacetOutline& b);
 
 /// Computes more about a few caps than their bounds in doubles: which of them are congruent, and
 /// for each class of these, once, bounds in DoubleDouble, and the exact cost if they are not

@@ -7,8 +7,8 @@
 
 #include "convexact/hull.hpp"
 #include "fast/cap.hpp"
+#include "fast/congruence.hpp"
 #include "fast/engines.hpp"
-#include "fast/ties.hpp"
 #include "oracle/order/removal_cost.hpp"
 #include "same_run.hpp"
 #include "shapes/makers.hpp"
@@ -63,8 +63,7 @@ struct Caps {
     FilteredCap cap(dual, mesh, CostMeasure::Volume, 1);
     const RemovalOracle oracle(planes, center);
     for (std::size_t i = 0; i < planes.size(); ++i) {
-      cap.prepare(HalfspaceId(i));
-      outlines.push_back(cap.outline());
+      outlines.push_back(cap.outline(HalfspaceId(i)));
       const auto cost = oracle.without(planes[i]).cost;
       costs.push_back(cost ? std::optional(cost->rational()) : std::nullopt);
     }
