@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "fast/close_determinants.hpp"
+#include "fast/congruence.hpp"
 #include "geometry/plane_determinants.hpp"
 
 namespace convexact {
@@ -62,6 +63,30 @@ bool share_vertex(const FastDual& dual, HalfspaceId a, HalfspaceId b, HalfspaceI
   });
 }
 
+// If a vertex of the input lies on three of these planes and not on the fourth: the place of the
+// fourth.
+std::optional<std::size_t> plane_off_shared_vertex(const FastDual& dual,
+                                                   const std::array<HalfspaceId, 4>& planes) {
+  std::array<std::span<const std::uint32_t>, 4> vertices;
+  std::array<std::size_t, 4> order{0, 1, 2, 3};
+  for (std::size_t k = 0; k < 4; ++k) vertices[k] = dual.incidences(planes[k]);
+  std::sort(order.begin(), order.end(),
+            [&](std::size_t k, std::size_t m) { return vertices[k].size() < vertices[m].size(); });
+  // Among three of the planes there is one of any two; these two have the fewest vertices.
+  for (const std::size_t k : {order[0], order[1]}) {
+    for (const std::uint32_t vertex : vertices[k]) {
+      std::size_t count = 0, off = 0;
+      for (std::size_t m = 0; m < 4; ++m) {
+        const bool is_on = m == k || contains(vertices[m], vertex);
+        count += is_on;
+        if (!is_on) off = m;
+      }
+      if (count == 3) return off;
+    }
+  }
+  return {};
+}
+
 // Whether all these normals are known to lie in one coordinate plane, as along a prism; then three
 // of them are dependent, and so are four rows (n, d). A coordinate that underflowed to zero is
 // distinguished from a true zero.
@@ -89,12 +114,27 @@ bool DualSigns::is_known_zero(HalfspaceId a, HalfspaceId b, HalfspaceId c, Halfs
   return share_vertex(*dual_, a, b, c, p) || share_axis(*dual_, a, b, c, p);
 }
 
+// Let the origin be a vertex v of the input on planes a, b and c: then their offsets are zero, and
+// H is D(a, b, c) times the value of p at v. That value is negative, as v lies on or inside all
+// planes. Of another three planes, the fourth row changes places with those behind it.
+std::optional<Sign> DualSigns::height_by_vertex(const std::array<HalfspaceId, 4>& planes) const {
+  const std::optional<std::size_t> off = plane_off_shared_vertex(*dual_, planes);
+  if (!off) return {};
+  std::array<HalfspaceId, 3> on;
+  std::copy_if(planes.begin(), planes.end(), on.begin(),
+               [&](HalfspaceId i) { return i != planes[*off]; });
+  const Sign sign = determinant(on[0], on[1], on[2]);
+  const bool is_swapped = *off % 2 == 0;  // an odd number of rows behind it
+  return is_swapped ? sign : -sign;
+}
+
 Sign DualSigns::height_beyond_doubles(HalfspaceId a, HalfspaceId b, HalfspaceId c,
                                       HalfspaceId p) const {
   if (is_known_zero(a, b, c, p)) {
     ++counts_.incident;
     return Sign::Zero;
   }
+  if (const std::optional<Sign> sign = height_by_vertex({a, b, c, p})) return *sign;
   const Triple<DoubleDouble> at_a = dual_->long_point(a), at_b = dual_->long_point(b),
                              at_c = dual_->long_point(c), at_p = dual_->long_point(p);
   FilterSign sure = height_in(at_a, at_b, at_c, at_p);
@@ -102,6 +142,10 @@ Sign DualSigns::height_beyond_doubles(HalfspaceId a, HalfspaceId b, HalfspaceId 
   if (sure != FilterSign::Unknown) {
     ++counts_.extended;
     return to_sign(sure);
+  }
+  if (are_mirror_pairs(*dual_, {a, b, c, p})) {
+    ++counts_.incident;
+    return Sign::Zero;
   }
   ++counts_.exact;
   return sign_of(

@@ -3,9 +3,11 @@
 // cheap to exact.
 #pragma once
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <optional>
 
 #include "convexact/number.hpp"
 #include "fast/dual.hpp"
@@ -172,6 +174,8 @@ class DualSigns {
   const SignCounts& counts() const { return counts_; }
 
  private:
+  std::optional<Sign> height_by_vertex(const std::array<HalfspaceId, 4>& planes) const;
+
   const FastDual* dual_;
   mutable SignCounts counts_;
 };
