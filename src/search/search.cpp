@@ -53,22 +53,37 @@ Cost zero_of(CostMeasure measure) {
   return Cost(AngleSum());
 }
 
-// The facets that are reached from a given one in exactly this many steps and not in fewer,
-// ascending.
-HalfspaceIds facets_away(const std::vector<HalfspaceIds>& neighbours, HalfspaceId from,
-                         std::uint64_t steps) {
-  HalfspaceIds before, now = {from};
+// The facets at a distance from a given one, counted in edges to be crossed.
+class Surroundings {
+ public:
+  explicit Surroundings(std::vector<HalfspaceIds> neighbours)
+      : neighbours_(std::move(neighbours)), visit_(neighbours_.size(), 0) {}
+  /// Those that share an edge with it, ascending.
+  const HalfspaceIds& of(HalfspaceId i) const { return neighbours_[i.index()]; }
+  /// Those that are reached in exactly this many steps and not in fewer, ascending.
+  HalfspaceIds away_from(HalfspaceId from, std::uint64_t steps);
+
+ private:
+  std::vector<HalfspaceIds> neighbours_;
+  // The call of away_from() that came to a facet last: so no call clears anything.
+  std::vector<std::uint64_t> visit_;
+  std::uint64_t visits_ = 0;
+};
+
+HalfspaceIds Surroundings::away_from(HalfspaceId from, std::uint64_t steps) {
+  ++visits_;
+  visit_[from.index()] = visits_;
+  HalfspaceIds now = {from}, next;
   for (; steps > 0; --steps) {
-    HalfspaceIds next;
+    next.clear();
     for (const HalfspaceId i : now) {
-      next.insert(next.end(), neighbours[i.index()].begin(), neighbours[i.index()].end());
+      for (const HalfspaceId j : of(i)) {
+        if (std::exchange(visit_[j.index()], visits_) != visits_) next.push_back(j);
+      }
     }
-    std::sort(next.begin(), next.end());
-    next.erase(std::unique(next.begin(), next.end()), next.end());
-    // A neighbour is one step nearer, equally near, or one step farther.
-    next = without(without(next, now), before);
-    before = std::exchange(now, std::move(next));
+    now.swap(next);
   }
+  std::sort(now.begin(), now.end());
   return now;
 }
 
@@ -99,12 +114,12 @@ class ExchangeSearch {
 
   const SearchOptions& options_;
   const Watch watch_;
-  const std::vector<HalfspaceIds> neighbours_;
+  Surroundings surroundings_;
   const std::unique_ptr<ExchangeSurface> surface_;
   const Cost zero_;
   Random random_;
   HalfspaceIds kept_;              // ascending
-  std::set<HalfspaceId> settled_;  // kept halfspaces that no exchange would improve now
+  HalfspaceIds settled_;           // kept halfspaces that no exchange would improve now, ascending
   std::set<HalfspaceIds> walked_;  // the kept sets at the start of all passes so far
   // The best that is known so far, and the exchanges made since.
   HalfspaceIds best_;
@@ -119,7 +134,7 @@ ExchangeSearch::ExchangeSearch(std::unique_ptr<ExchangeSurface> surface, const P
                                HalfspaceIds start, const SearchOptions& options)
     : options_(options),
       watch_(options.watch),
-      neighbours_(neighbours_of(input)),
+      surroundings_(neighbours_of(input)),
       surface_(std::move(surface)),
       zero_(zero_of(options.cost)),
       random_(options.seed),
@@ -151,7 +166,7 @@ const Cost& ExchangeSearch::exactly(Exchange& exchange) {
 // The incumbent stays until a candidate is proven smaller, which then stays until the next one is.
 std::optional<ExchangeSearch::Exchange> ExchangeSearch::best_exchange(HalfspaceId out) {
   std::optional<Exchange> leader;
-  for (const HalfspaceId in : neighbours_[out.index()]) {
+  for (const HalfspaceId in : surroundings_.of(out)) {
     if (is_kept(in)) continue;
     watch_.ask();
     ++run_.tried;
@@ -179,10 +194,11 @@ bool ExchangeSearch::walk(bool is_kick) {
     if (!walked_.insert(kept_).second) return false;
     helped = false;
     for (const HalfspaceId out : exchangeable()) {
-      if (settled_.contains(out)) continue;
+      const auto place = std::lower_bound(settled_.begin(), settled_.end(), out);
+      if (place != settled_.end() && *place == out) continue;
       std::optional<Exchange> best = best_exchange(out);
       if (!best) {
-        settled_.insert(out);
+        settled_.insert(place, out);
         continue;
       }
       helped = true;
@@ -201,12 +217,13 @@ void ExchangeSearch::kick() {
     const HalfspaceId out = candidates[uniform_below(random_, candidates.size())];
     const std::uint64_t steps =
         kFewestSteps + uniform_below(random_, kMostSteps - kFewestSteps + 1);
-    const HalfspaceIds there = facets_away(neighbours_, out, steps);
+    const HalfspaceIds there = surroundings_.away_from(out, steps);
     if (there.empty()) continue;
     const HalfspaceId in = there[uniform_below(random_, there.size())];
     if (is_kept(in)) continue;
     ++run_.tried;
-    if (std::optional<Change> change = surface_->change(out, in)) make({out, in, *change});
+    const std::optional<Change> change = surface_->change(out, in);
+    if (change) make({out, in, *change});
   }
   if (since_.empty()) return;
   // (2) From there to the nearest solid that no exchange makes smaller.
