@@ -85,9 +85,9 @@ void HalfEdgeMesh::remove(HalfspaceId v, const OneRing& ring,
                           std::span<const RingTriangle> triangles) {
   const std::size_t k = ring.vertices.size();
   CONVEXACT_ASSERT(triangles.size() == k - 2);
-  slots_.clear();
-  for (const std::uint32_t outer : ring.outer) slots_.push_back(edges_[outer].twin / 3);
-  for (const std::uint32_t slot : {slots_[k - 2], slots_[k - 1]}) {
+  hole_.clear();
+  for (const std::uint32_t outer : ring.outer) hole_.push_back(edges_[outer].twin / 3);
+  for (const std::uint32_t slot : {hole_[k - 2], hole_[k - 1]}) {
     for (std::uint32_t h = 3 * slot; h < 3 * slot + 3; ++h) edges_[h].tail = kNone;
     edges_[3 * slot].twin = std::exchange(freed_, slot);
   }
@@ -99,7 +99,7 @@ void HalfEdgeMesh::remove(HalfspaceId v, const OneRing& ring,
   };
   for (std::size_t t = 0; t < triangles.size(); ++t) {
     const RingTriangle& triangle = triangles[t];
-    const std::uint32_t h = 3 * slots_[t];
+    const std::uint32_t h = 3 * hole_[t];
     edges_[h].tail = ring.vertices[triangle.low].value;
     edges_[h + 1].tail = ring.vertices[triangle.middle].value;
     edges_[h + 2].tail = ring.vertices[triangle.high].value;
@@ -109,16 +109,23 @@ void HalfEdgeMesh::remove(HalfspaceId v, const OneRing& ring,
       link_rim(h + 2, triangle.high);
     } else {
       const bool below_first = triangles[triangle.parent].low == triangle.low;
-      link(h + 2, 3 * slots_[triangle.parent] + (below_first ? 0 : 1));
+      link(h + 2, 3 * hole_[triangle.parent] + (below_first ? 0 : 1));
     }
   }
+}
+
+void HalfEdgeMesh::put_back(HalfspaceId v, const OneRing& ring) {
+  const std::size_t k = ring.vertices.size();
+  CONVEXACT_ASSERT(hole_.size() == k && freed_ == hole_[k - 1]);
+  freed_ = edges_[3 * hole_[k - 2]].twin;  // remove() freed these two
+  fill_fan(v, ring, hole_);
 }
 
 // Along the edges of the seen triangles with an unseen one across, which is on the right.
 void HalfEdgeMesh::walk_rim(OneRing& ring) const {
   ring.vertices.clear();
   ring.outer.clear();
-  const auto is_inner = [&](std::uint32_t h) { return is_seen_[edges_[h].twin / 3] != 0; };
+  const auto is_inner = [&](std::uint32_t h) { return sight_[edges_[h].twin / 3] == Sight::Seen; };
   std::uint32_t first = kNone;
   for (std::size_t s = 0; first == kNone; ++s) {
     for (std::uint32_t h = 3 * slots_[s]; h < 3 * slots_[s] + 3; ++h) {
@@ -149,18 +156,24 @@ void HalfEdgeMesh::fill_seen(HalfspaceId v) {
       freed_ = edges_[3 * freed_].twin;
     }
   }
-  // (2) The triangle (v, a, b) for each edge a -> b of the rim, and the next one across b -> v.
-  for (std::size_t m = 0; m < k; ++m) {
+  // (2) One for each edge.
+  fill_fan(v, rim_, slots_);
+}
+
+// The triangle (v, a, b) for each edge a -> b of the ring, and the next one across b -> v.
+void HalfEdgeMesh::fill_fan(HalfspaceId v, const OneRing& ring,
+                            std::span<const std::uint32_t> slots) {
+  for (std::size_t m = 0, k = slots.size(); m < k; ++m) {
     const std::size_t after = m + 1 < k ? m + 1 : 0;
-    const std::uint32_t h = 3 * slots_[m];
+    const std::uint32_t h = 3 * slots[m];
     edges_[h].tail = v.value;
-    edges_[h + 1].tail = rim_.vertices[m].value;
-    edges_[h + 2].tail = rim_.vertices[after].value;
-    link(h + 1, rim_.outer[m]);
-    link(h + 2, 3 * slots_[after]);
+    edges_[h + 1].tail = ring.vertices[m].value;
+    edges_[h + 2].tail = ring.vertices[after].value;
+    link(h + 1, ring.outer[m]);
+    link(h + 2, 3 * slots[after]);
     out_[edges_[h + 1].tail] = h + 1;
   }
-  out_[v.index()] = 3 * slots_.front();
+  out_[v.index()] = 3 * slots.front();
 }
 
 std::vector<DualTriangle> HalfEdgeMesh::triangles() const {

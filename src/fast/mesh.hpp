@@ -47,6 +47,8 @@ class HalfEdgeMesh {
 
   /// Reads the ring of v into `ring`. @par Cost  Its length.
   void one_ring(HalfspaceId v, OneRing& ring) const;
+  /// Whether v is on the mesh.
+  bool has(HalfspaceId v) const { return out_[v.index()] != kNone; }
   std::uint32_t twin(std::uint32_t half_edge) const { return edges_[half_edge].twin; }
   /// The third corner of the triangle of a half-edge.
   HalfspaceId apex(std::uint32_t half_edge) const {
@@ -54,19 +56,23 @@ class HalfEdgeMesh {
   }
   /// Removes v and closes the hole. `ring` is v's, `triangles` a triangulation of it.
   void remove(HalfspaceId v, const OneRing& ring, std::span<const RingTriangle> triangles);
+  /// Takes remove() back. `ring` is the same; nothing has changed since.
+  void put_back(HalfspaceId v, const OneRing& ring);
   /// Adds v, which is not on the mesh, and joins it to the rim of the triangles that it sees.
-  /// @param sees  Asked of each triangle, in the order of triangles(). Those seen form a disk, and
-  ///              each of its vertices is on the rim.
-  /// @par Cost    One question for each triangle.
+  /// @param sees  Asked of triangles. Those seen form a disk, and each of its vertices is on the
+  ///              rim.
+  /// @param near  Half-edges: the triangles on both sides of them are asked first.
+  /// @par Cost    One question for each triangle that is seen, each one across its rim, and each
+  ///              one until the first is seen.
   template <class Sees>
-  void insert(HalfspaceId v, Sees sees) {
-    look(sees);
+  void insert(HalfspaceId v, Sees sees, std::span<const std::uint32_t> near = {}) {
+    look(sees, near);
     fill_seen(v);
   }
   /// The ring that insert() would give a vertex. Nothing changes.
   template <class Sees>
-  void rim(Sees sees, OneRing& ring) {
-    look(sees);
+  void rim(Sees sees, std::span<const std::uint32_t> near, OneRing& ring) {
+    look(sees, near);
     walk_rim(ring);
   }
   /// Every triangle once; the ones freed are left out.
@@ -87,17 +93,10 @@ class HalfEdgeMesh {
             HalfspaceId(edges_[3 * slot + 2].tail)};
   }
   template <class Sees>
-  void look(Sees& sees) {
-    is_seen_.assign(edges_.size() / 3, 0);
-    slots_.clear();
-    for (std::uint32_t slot = 0; slot < is_seen_.size(); ++slot) {
-      if (edges_[3 * slot].tail == kNone || !sees(triangle(slot))) continue;
-      is_seen_[slot] = 1;
-      slots_.push_back(slot);
-    }
-  }
+  void look(Sees& sees, std::span<const std::uint32_t> near);
   void walk_rim(OneRing& ring) const;
   void fill_seen(HalfspaceId v);
+  void fill_fan(HalfspaceId v, const OneRing& ring, std::span<const std::uint32_t> slots);
 
   struct HalfEdge {
     std::uint32_t tail;  // kNone in a freed triangle
@@ -107,9 +106,33 @@ class HalfEdgeMesh {
   std::vector<HalfEdge> edges_;
   std::vector<std::uint32_t> out_;    // of each vertex some half-edge that starts there
   std::uint32_t freed_ = kNone;       // the last triangle that was freed
-  std::vector<std::uint32_t> slots_;  // scratch of remove() and insert(): those seen
-  std::vector<char> is_seen_;         // scratch of insert(), as the next
+  std::vector<std::uint32_t> hole_;   // of the last remove(): the triangles around the vertex
+  std::vector<std::uint32_t> slots_;  // scratch of insert(): the triangles seen
+  enum class Sight : char { NotAsked, Seen, Hidden };
+  std::vector<Sight> sight_;  // scratch of insert(), as the next
   OneRing rim_;
 };
+
+// Those seen are connected: from the first one the others are reached across edges.
+template <class Sees>
+void HalfEdgeMesh::look(Sees& sees, std::span<const std::uint32_t> near) {
+  sight_.assign(edges_.size() / 3, Sight::NotAsked);
+  slots_.clear();
+  const auto ask = [&](std::uint32_t slot) {
+    if (sight_[slot] != Sight::NotAsked) return;
+    sight_[slot] = sees(triangle(slot)) ? Sight::Seen : Sight::Hidden;
+    if (sight_[slot] == Sight::Seen) slots_.push_back(slot);
+  };
+  for (std::size_t m = 0; m < near.size() && slots_.empty(); ++m) {
+    ask(near[m] / 3);
+    ask(twin(near[m]) / 3);
+  }
+  for (std::uint32_t slot = 0; slot < sight_.size() && slots_.empty(); ++slot) {
+    if (edges_[3 * slot].tail != kNone) ask(slot);
+  }
+  for (std::size_t s = 0; s < slots_.size(); ++s) {
+    for (std::uint32_t h = 3 * slots_[s], end = h + 3; h < end; ++h) ask(twin(h) / 3);
+  }
+}
 
 }  // namespace convexact

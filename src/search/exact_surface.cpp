@@ -15,7 +15,7 @@ class ExactSurface : public ExchangeSurface {
         surface_(dual.halfspaces, triangles, center, 1, measure),
         measure_(measure) {}
 
-  std::optional<Change> change(HalfspaceId i, HalfspaceId j) override {
+  std::optional<Change> change(HalfspaceId i, HalfspaceId j, double /*below*/) override {
     surface_.insert(j);
     const Removal of_i = surface_.removal_of(i), of_j = surface_.removal_of(j);
     surface_.apply(of_j);
@@ -25,7 +25,9 @@ class ExactSurface : public ExchangeSurface {
     return result;
   }
 
-  Cost exact_change(HalfspaceId i, HalfspaceId j) override { return *change(i, j).value().exact; }
+  Cost exact_change(HalfspaceId i, HalfspaceId j) override {
+    return *change(i, j, kNoLimit).value().exact;
+  }
 
   void exchange(HalfspaceId i, HalfspaceId j) override {
     surface_.insert(j);

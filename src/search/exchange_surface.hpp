@@ -34,6 +34,9 @@ struct Change {
   std::optional<Cost> exact = {};
 };
 
+/// No change is this much.
+inline constexpr double kNoLimit = std::numeric_limits<double>::infinity();
+
 /// The kept halfspaces, all of them facets of the input, so that none is ever redundant. Exchanging
 /// i for j inserts j first: where few halfspaces are kept, the solid without i is mostly unbounded.
 /// The exchange adds the cap of i to the solid with both, and takes away that of j. Preconditions:
@@ -42,8 +45,9 @@ class ExchangeSurface {
  public:
   virtual ~ExchangeSurface() = default;
 
-  /// None if the solid would be unbounded. An engine that has bounds leaves `exact` empty.
-  virtual std::optional<Change> change(HalfspaceId i, HalfspaceId j) = 0;
+  /// None if the solid would be unbounded, and possibly where the change is proven to be `below` or
+  /// more: then it need not be known. An engine that has bounds leaves `exact` empty.
+  virtual std::optional<Change> change(HalfspaceId i, HalfspaceId j, double below) = 0;
   /// The same exactly, of an exchange that leaves the solid bounded.
   virtual Cost exact_change(HalfspaceId i, HalfspaceId j) = 0;
   /// Makes it. Precondition: it leaves the solid bounded.

@@ -170,7 +170,8 @@ std::optional<ExchangeSearch::Exchange> ExchangeSearch::best_exchange(HalfspaceI
     if (is_kept(in)) continue;
     watch_.ask();
     ++run_.tried;
-    const std::optional<Change> change = surface_->change(out, in);
+    const double below = leader ? leader->change.upper : 0;  // as in is_less()
+    const std::optional<Change> change = surface_->change(out, in, below);
     if (!change) continue;
     Exchange candidate{out, in, *change};
     if (is_less(candidate, leader)) leader = std::move(candidate);
@@ -222,7 +223,7 @@ void ExchangeSearch::kick() {
     const HalfspaceId in = there[uniform_below(random_, there.size())];
     if (is_kept(in)) continue;
     ++run_.tried;
-    const std::optional<Change> change = surface_->change(out, in);
+    const std::optional<Change> change = surface_->change(out, in, kNoLimit);
     if (change) make({out, in, *change});
   }
   if (since_.empty()) return;

@@ -3,6 +3,7 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <set>
 
 #include "convexact/measure.hpp"
 #include "fast/cap.hpp"
@@ -27,6 +28,15 @@ void check_closed(const HalfEdgeMesh& mesh, std::size_t size) {
     std::rotate(ring.vertices.begin(), least, ring.vertices.end());
     CHECK(ring.vertices == matrix.one_ring(v));
   }
+}
+
+std::set<DualTriangle> rotated(const std::vector<DualTriangle>& triangles) {
+  std::set<DualTriangle> list;
+  for (DualTriangle t : triangles) {
+    std::rotate(t.begin(), std::min_element(t.begin(), t.end()), t.end());
+    list.insert(t);
+  }
+  return list;
 }
 
 }  // namespace
@@ -70,5 +80,56 @@ TEST_CASE("HalfEdgeMesh: inserted vertices are joined to the rim of what they se
     const Polytope again = to_polytope(greedy.dual.halfspaces, mesh.triangles());
     CHECK(again.planes == greedy.input.planes);
     CHECK(volume(again) == volume(greedy.input));
+  }
+}
+
+TEST_CASE("HalfEdgeMesh: a removal is taken back to the same triangles") {
+  const Greedy greedy(shapes::in_ball(40, 1), 4, CostMeasure::Volume);
+  const FastDual dual = FastDual::of(greedy.dual, greedy.center);
+  HalfEdgeMesh mesh(dual.size(), dual.triangles(), dual.twins());
+  FilteredCap cap(dual, mesh, CostMeasure::Volume, 1);
+  const std::set<DualTriangle> before = rotated(mesh.triangles());
+  for (const HalfspaceId v : mesh.vertices()) {
+    cap.prepare(v);
+    const OneRing ring = cap.ring();
+    mesh.remove(v, ring, cap.triangles());
+    cap.invalidate();
+    CHECK(!mesh.has(v));
+    check_closed(mesh, dual.size());
+    mesh.put_back(v, ring);
+    CHECK(mesh.has(v));
+    check_closed(mesh, dual.size());
+    CHECK(rotated(mesh.triangles()) == before);
+  }
+}
+
+TEST_CASE("HalfEdgeMesh: a rim does not depend on where the first seen triangle is looked for") {
+  const Greedy greedy(shapes::in_ball(40, 1), 4, CostMeasure::Volume);
+  const FastDual dual = FastDual::of(greedy.dual, greedy.center);
+  const DualSigns signs(dual);
+  HalfEdgeMesh mesh(dual.size(), dual.triangles(), dual.twins());
+  FilteredCap cap(dual, mesh, CostMeasure::Volume, 1);
+  const auto normalised = [](OneRing ring) {
+    const auto least = std::min_element(ring.vertices.begin(), ring.vertices.end());
+    std::rotate(ring.vertices.begin(), least, ring.vertices.end());
+    return ring.vertices;
+  };
+  OneRing near, found;
+  for (const HalfspaceId v : mesh.vertices()) {
+    cap.prepare(v);
+    const OneRing ring = cap.ring();
+    mesh.remove(v, ring, cap.triangles());
+    cap.invalidate();
+    const auto sees = [&](const DualTriangle& t) {
+      return signs.height(t[0], t[1], t[2], v) != Sign::Negative;
+    };
+    mesh.rim(sees, {}, found);
+    const std::vector<HalfspaceId> anywhere = normalised(found);
+    for (const HalfspaceId other : mesh.vertices()) {
+      mesh.one_ring(other, near);
+      mesh.rim(sees, near.outer, found);
+      CHECK(normalised(found) == anywhere);
+    }
+    mesh.put_back(v, ring);
   }
 }
