@@ -255,6 +255,7 @@ FacetOutline FilteredCap::outline(HalfspaceId i) {
   if (prepared_ != i) mesh_.one_ring(i, outline_ring_);
   const auto& v = prepared_ == i ? ring_.vertices : outline_ring_.vertices;
   FacetOutline result{i, {}};
+  result.neighbours.reserve(v.size());
   for (std::size_t m = 0, k = v.size(); m < k; ++m) {
     const HalfspaceId before = v[m == 0 ? k - 1 : m - 1], after = v[m + 1 == k ? 0 : m + 1];
     if (signs_.height(i, before, v[m], after) == Sign::Zero) continue;

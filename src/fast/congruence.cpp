@@ -179,18 +179,23 @@ bool holds_by_corners(const Correspondence& of) {
 }
 
 bool holds_by_planes(const Correspondence& of) {
-  PlanePairs pairs{{&of.dual.exact(of.a.facet), &of.dual.exact(of.b.facet)}};
+  PlanePairs pairs;
+  // Planes are formed one after another, as the first pairs refuse most.
+  const auto are_carried = [&](HalfspaceId i, HalfspaceId j) {
+    pairs.emplace_back(&of.dual.exact(i), &of.dual.exact(j));
+    return of.symmetry.carries(pairs.back().first->normal(), pairs.back().second->normal());
+  };
+  if (!are_carried(of.a.facet, of.b.facet)) return false;
   for (std::size_t m = 0; m < of.a.neighbours.size(); ++m) {
-    pairs.emplace_back(&of.dual.exact(of.a.neighbours[m]), &of.dual.exact(of.neighbour(m)));
+    if (!are_carried(of.a.neighbours[m], of.neighbour(m))) return false;
   }
-  const bool all_carried = std::all_of(pairs.begin(), pairs.end(), [&](const auto& pair) {
-    return of.symmetry.carries(pair.first->normal(), pair.second->normal());
-  });
-  return all_carried && differ_by_one_translation(pairs);
+  return differ_by_one_translation(pairs);
 }
 
 std::vector<Direction> directions_of(const FastDual& dual, const FacetOutline& outline) {
-  std::vector<Direction> directions{dual.direction(outline.facet)};
+  std::vector<Direction> directions;
+  directions.reserve(1 + outline.neighbours.size());
+  directions.push_back(dual.direction(outline.facet));
   for (const HalfspaceId i : outline.neighbours) directions.push_back(dual.direction(i));
   return directions;
 }

@@ -238,11 +238,15 @@ std::optional<HalfspaceId> FilteredLoop::choose() {
 // little; in doubt not.
 bool FilteredLoop::is_tie_left() {
   if (options_.cost != CostMeasure::Volume || tie_.size() == 0) return false;
-  const DoubleDouble least = upper_[tie_.first().index()];
+  const HalfspaceId first = tie_.first();
+  const auto may_cost_as_little = [&](HalfspaceId i) {
+    return queue_.contains(i) && !(queue_.key(i) > upper_[first.index()]);
+  };
   for (const HalfspaceId i : changed_) {
-    if (!queue_.contains(i) || tie_.contains(i) || queue_.key(i) > least) continue;
+    if (tie_.contains(i) || !may_cost_as_little(i)) continue;
     if (stale_[i.index()]) evaluate(i);
-    if (queue_.contains(i) && !(queue_.key(i) > least)) return false;
+    if (may_cost_as_little(i) && !ties_.is_refined(first)) refine(first);
+    if (may_cost_as_little(i)) return false;
   }
   changed_.clear();
   return true;
@@ -270,7 +274,7 @@ std::optional<HalfspaceId> FilteredLoop::choose_from_queue() {
     if (!refresh_candidates()) continue;
     keep_lowest_bounds();
     if (candidates_.size() == 1) return candidates_[0];
-    if (!refine_candidates()) continue;
+    if (!ties_.are_one_class(candidates_) && !refine_candidates()) continue;
     keep_cheapest();
     return candidates_[0];
   }
@@ -341,7 +345,7 @@ bool FilteredLoop::refine_candidates() {
   return all_refined;
 }
 
-// Reduces refined candidates to the tie, in canonical order.
+// Reduces candidates, of one class or all refined, to the tie, in canonical order.
 void FilteredLoop::keep_cheapest() {
   compared_ = candidates_;
   evidence_ = ties_.keep_cheapest(candidates_, options_.compare, options_.watch);

@@ -9,18 +9,27 @@
 namespace convexact {
 
 Interval<DoubleDouble> TieBreaker::refine(HalfspaceId i) {
-  if (is_refined(i)) {
+  auto& [its_class, is_refined] = member(i);
+  if (!its_class->bounds) {
+    cap_.prepare(i);
+    const CostBounds<DoubleDouble> bounds = cap_.in_double_doubles();
+    its_class->bounds = {bounds.lower, bounds.upper};
+    ++counts_.extended;
+  } else if (is_refined) {
     (void)exact_cost(i);
-  } else {
-    (void)class_for(i);
   }
-  const CostBounds<DoubleDouble>& bounds = refined_.at(i)->bounds;
-  return {bounds.lower, bounds.upper};
+  is_refined = true;
+  return *its_class->bounds;
+}
+
+bool TieBreaker::is_refined(HalfspaceId i) const {
+  const auto found = members_.find(i);
+  return found != members_.end() && found->second.is_refined;
 }
 
 bool TieBreaker::is_exact(HalfspaceId i) const {
-  const auto refined = refined_.find(i);
-  return refined != refined_.end() && refined->second->cost;
+  const auto found = members_.find(i);
+  return found != members_.end() && found->second.its_class->cost;
 }
 
 namespace {
@@ -33,23 +42,19 @@ std::int64_t cell_of(double size) {
 
 }  // namespace
 
-TieBreaker::CostClass& TieBreaker::class_for(HalfspaceId i) {
-  const auto [place, is_new] = refined_.try_emplace(i, nullptr);
-  if (!is_new) return *place->second;
+TieBreaker::Member& TieBreaker::member(HalfspaceId i) {
+  const auto [place, is_new] = members_.try_emplace(i, Member{nullptr, false});
+  if (!is_new) return place->second;
   const std::array<double, 3> sizes = dual_.normal_sizes(i);
   CostClass* its_class = congruent_class(i, sizes);
   if (its_class != nullptr) {
     ++its_class->members;
     ++counts_.congruent;
   } else {
-    cap_.prepare(i);
-    its_class =
-        &classes_
-             .emplace(cell_of(sizes[1]), CostClass{i, {}, sizes, 1, cap_.in_double_doubles(), {}})
-             ->second;
-    ++counts_.extended;
+    its_class = &classes_.emplace(cell_of(sizes[1]), CostClass{i, {}, sizes, 1, {}, {}})->second;
   }
-  return *(place->second = its_class);
+  place->second.its_class = its_class;
+  return place->second;
 }
 
 // A class of caps congruent to that of i, or null.
@@ -77,10 +82,10 @@ bool TieBreaker::is_congruent(CostClass& known, const FacetOutline& outline) {
 }
 
 void TieBreaker::forget(HalfspaceId i) {
-  const auto refined = refined_.find(i);
-  if (refined == refined_.end()) return;
-  CostClass* its_class = refined->second;
-  refined_.erase(refined);
+  const auto found = members_.find(i);
+  if (found == members_.end()) return;
+  CostClass* its_class = found->second.its_class;
+  members_.erase(found);
   if (--its_class->members > 0) return;
   const auto [begin, end] = classes_.equal_range(cell_of(its_class->sizes[1]));
   classes_.erase(std::find_if(begin, end, [&](const auto& x) { return &x.second == its_class; }));
@@ -109,33 +114,41 @@ Interval<DoubleDouble> bounds_of(const Cost& cost, long exponent) {
 }  // namespace
 
 const Cost& TieBreaker::exact_cost(HalfspaceId i) {
-  CostClass& its_class = class_for(i);
+  CostClass& its_class = *member(i).its_class;
   if (!its_class.cost) {
     cap_.prepare(i);
     its_class.cost = cap_.exactly();
     ++counts_.exact;
     const Cost& cost = *its_class.cost;
-    const auto [lower, upper] = bounds_of(cost, dual_.cost_exponent(cost.measure()));
+    Interval<DoubleDouble> bounds = bounds_of(cost, dual_.cost_exponent(cost.measure()));
     // Of an area they are wider than those in DoubleDouble may have been.
-    its_class.bounds = {Boundedness::Bounded, std::max(its_class.bounds.lower, lower),
-                        std::min(its_class.bounds.upper, upper)};
+    if (its_class.bounds) {
+      bounds = {std::max(its_class.bounds->lower, bounds.lower),
+                std::min(its_class.bounds->upper, bounds.upper)};
+    }
+    its_class.bounds = bounds;
   }
   return *its_class.cost;
 }
 
+bool TieBreaker::are_one_class(const std::vector<HalfspaceId>& candidates) {
+  const CostClass* first = member(candidates[0]).its_class;
+  return std::all_of(candidates.begin(), candidates.end(),
+                     [&](HalfspaceId i) { return member(i).its_class == first; });
+}
+
 TieEvidence TieBreaker::keep_cheapest(std::vector<HalfspaceId>& candidates,
                                       const CompareLimits& limits, const Watch& watch) {
-  DoubleDouble best = refined_.at(candidates[0])->bounds.upper;
-  for (const HalfspaceId i : candidates) {
-    const DoubleDouble& upper = refined_.at(i)->bounds.upper;
-    if (upper < best) best = upper;
+  if (!are_one_class(candidates)) {
+    const auto bounds = [&](HalfspaceId i) -> const Interval<DoubleDouble>& {
+      return *members_.at(i).its_class->bounds;
+    };
+    DoubleDouble best = bounds(candidates[0]).upper;
+    for (const HalfspaceId i : candidates) best = std::min(best, bounds(i).upper);
+    std::erase_if(candidates, [&](HalfspaceId i) { return bounds(i).lower > best; });
   }
-  std::erase_if(candidates, [&](HalfspaceId i) { return refined_.at(i)->bounds.lower > best; });
   if (candidates.size() == 1) return {};
-  const bool are_all_congruent =
-      std::all_of(candidates.begin(), candidates.end(),
-                  [&](HalfspaceId i) { return class_of(i) == class_of(candidates[0]); });
-  if (are_all_congruent) return {TieProof::Congruent, 0};
+  if (are_one_class(candidates)) return {TieProof::Congruent, 0};
   return keep_cheapest_class(candidates, limits, watch);
 }
 

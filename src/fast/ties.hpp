@@ -16,8 +16,8 @@
 namespace convexact {
 
 /// Computes more about a few caps than their bounds in doubles: which of them are congruent, and
-/// for each class of these, once, bounds in DoubleDouble, and the exact cost if they are not
-/// enough.
+/// for each class of these, once and only if that leaves the choice open, bounds in DoubleDouble,
+/// and the exact cost if they are not enough.
 class TieBreaker {
  public:
   TieBreaker(const FastDual& dual, FilteredCap& cap, FastCounts& counts)
@@ -26,15 +26,18 @@ class TieBreaker {
   /// Encloses the cost of i, in units of FilteredCap's bounds, by the next better arithmetic, if
   /// there is one.
   Interval<DoubleDouble> refine(HalfspaceId i);
-  bool is_refined(HalfspaceId i) const { return refined_.contains(i); }
+  bool is_refined(HalfspaceId i) const;
   bool is_exact(HalfspaceId i) const;
   /// Computed at the first call, for all caps that are known to be congruent.
   const Cost& exact_cost(HalfspaceId i);
-  /// Reduces refined candidates to those of minimal cost: the tie. @return  What proves it.
+  /// Whether all of these are known to be congruent.
+  bool are_one_class(const std::vector<HalfspaceId>& candidates);
+  /// Reduces candidates, of one class or all refined, to those of minimal cost: the tie.
+  /// @return  What proves it.
   TieEvidence keep_cheapest(std::vector<HalfspaceId>& candidates, const CompareLimits& limits,
                             const Watch& watch);
-  /// Of a refined candidate: the same for all congruent ones.
-  const void* class_of(HalfspaceId i) const { return refined_.at(i); }
+  /// Of such a candidate: the same for all congruent ones.
+  const void* class_of(HalfspaceId i) const { return members_.at(i).its_class; }
   /// The ring of i has changed, or is gone.
   void forget(HalfspaceId i);
 
@@ -44,14 +47,19 @@ class TieBreaker {
     HalfspaceId first;                    // the one that it was made for
     std::optional<FacetOutline> outline;  // of `first`, as it was; none while it is the only one
     std::array<double, 3> sizes;          // FastDual::normal_sizes()
-    std::size_t members = 1;              // refined, and not forgotten since
-    CostBounds<DoubleDouble> bounds;      // once there is a cost, that cost, rounded
+    std::size_t members = 1;              // not forgotten since
+    // Once there is a cost, that cost, rounded.
+    std::optional<Interval<DoubleDouble>> bounds;
     std::optional<Cost> cost;
+  };
+  struct Member {
+    CostClass* its_class;
+    bool is_refined;  // whether it was given bounds of its class
   };
   // By one of their sizes, in cells that are wide compared with its error.
   using Classes = std::unordered_multimap<std::int64_t, CostClass>;
 
-  CostClass& class_for(HalfspaceId i);
+  Member& member(HalfspaceId i);
   CostClass* congruent_class(HalfspaceId i, const std::array<double, 3>& sizes);
   bool is_congruent(CostClass& known, const FacetOutline& outline);
   TieEvidence keep_cheapest_class(std::vector<HalfspaceId>& candidates, const CompareLimits& limits,
@@ -61,7 +69,7 @@ class TieBreaker {
   FilteredCap& cap_;
   FastCounts& counts_;
   Classes classes_;
-  std::unordered_map<HalfspaceId, CostClass*> refined_;
+  std::unordered_map<HalfspaceId, Member> members_;
 };
 
 }  // namespace convexact

@@ -1,14 +1,19 @@
 // SPDX-License-Identifier: MIT
 // Caps that a symmetry of the axes carries to each other, expected from the definition: the plane
 // of one facet is the other's image.
+#include "fast/congruence.hpp"
+
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <array>
 
 #include "convexact/hull.hpp"
 #include "fast/cap.hpp"
-#include "fast/congruence.hpp"
 #include "fast/engines.hpp"
+#include "fast/signs.hpp"
+#include "geometry/plane_determinants.hpp"
+#include "number/random.hpp"
 #include "oracle/order/removal_cost.hpp"
 #include "same_run.hpp"
 #include "shapes/makers.hpp"
@@ -51,14 +56,14 @@ std::vector<Isometry> isometries(const Point& shift) {
 
 // A solid, the outlines of all its caps, and what each costs by definition.
 struct Caps {
+  FastDual dual;
   std::vector<Halfspace> planes;
   std::vector<FacetOutline> outlines;
   std::vector<std::optional<Rational>> costs;
-  FastDual dual;
 
-  // `solid` must outlive the object.
-  Caps(const DualHull& solid, const RationalPoint& center)
-      : planes(solid.halfspaces), dual(FastDual::of(solid, center)) {
+  // What the dual was made of must outlive the object.
+  Caps(FastDual made, const RationalPoint& center) : dual(std::move(made)) {
+    for (std::size_t i = 0; i < dual.size(); ++i) planes.push_back(dual.exact(HalfspaceId(i)));
     const HalfEdgeMesh mesh(dual.size(), dual.triangles());
     FilteredCap cap(dual, mesh, CostMeasure::Volume, 1);
     const RemovalOracle oracle(planes, center);
@@ -91,23 +96,29 @@ TEST_CASE("are_congruent: a facet and its image under each of the 48 symmetries,
         if (std::find(points.begin(), points.end(), image) == points.end()) points.push_back(image);
       }
       const PointSet set(points);
-      const HullOutcome hull = convex_hull(set);
-      if (!std::holds_alternative<Hull>(hull)) continue;
-      const DualHull solid = dual_of(std::get<Hull>(hull), set);
-      const Caps caps(solid, mean(solid.vertices));
-      for (std::size_t i = 0; i < caps.planes.size(); ++i) {
-        for (std::size_t j = 0; j < caps.planes.size(); ++j) {
-          const bool congruent = are_congruent(caps.dual, caps.outlines[i], caps.outlines[j]);
-          if (caps.planes[j] == isometry(caps.planes[i])) {
-            CHECK(congruent);
-            ++mirrored;
+      const HullOutcome outcome = convex_hull(set);
+      const Hull* hull = std::get_if<Hull>(&outcome);
+      if (hull == nullptr) continue;
+      const DualHull solid = dual_of(*hull, set);
+      const RationalPoint center = mean(solid.vertices);
+      // By planes, and by corners.
+      const std::array<Caps, 2> both{Caps(FastDual::of(solid, center), center),
+                                     Caps(FastDual::of(*hull, set), center)};
+      for (const Caps& caps : both) {
+        for (std::size_t i = 0; i < caps.planes.size(); ++i) {
+          for (std::size_t j = 0; j < caps.planes.size(); ++j) {
+            const bool congruent = are_congruent(caps.dual, caps.outlines[i], caps.outlines[j]);
+            if (caps.planes[j] == isometry(caps.planes[i])) {
+              CHECK(congruent);
+              ++mirrored;
+            }
+            if (congruent) CHECK(caps.costs[i] == caps.costs[j]);
           }
-          if (congruent) CHECK(caps.costs[i] == caps.costs[j]);
         }
       }
     }
   }
-  CHECK(mirrored > 500);
+  CHECK(mirrored > 1000);
 }
 
 TEST_CASE("are_congruent: one offset that differs by one decides") {
@@ -121,7 +132,7 @@ TEST_CASE("are_congruent: one offset that differs by one decides") {
   const auto count = [](std::vector<Halfspace> planes) {
     const RationalPoint center(0, 0, 0);
     const DualHull solid = dual_of(planes, center).dual;
-    const Caps caps(solid, center);
+    const Caps caps(FastDual::of(solid, center), center);
     std::size_t result = 0;
     for (const FacetOutline& a : caps.outlines) {
       for (const FacetOutline& b : caps.outlines) result += are_congruent(caps.dual, a, b);
@@ -130,6 +141,96 @@ TEST_CASE("are_congruent: one offset that differs by one decides") {
   };
   CHECK(count(box(5)) == 6 + 4);  // each with itself, and two pairs of walls
   CHECK(count(box(6)) == 6);
+}
+
+// Solids with mirror images in planes across and along the axes, and in a point, some elsewhere
+// than at the origin, some nearly symmetric, and one with facets coplanar but for rounding.
+std::vector<std::vector<Point>> symmetric_points() {
+  std::vector<std::vector<Point>> all{shapes::cube_symmetric(1, 100, 1),
+                                      shapes::centrally_symmetric(12, 1),
+                                      shapes::rounded_box({3, 2, 1}, 0.5, 2), shapes::grid(3)};
+  for (const Isometry& isometry : isometries(Point(12, 5, -7))) {
+    if (isometry.sign[0] < 0) continue;
+    std::vector<Point> points = shapes::lattice(7, 9, all.size());
+    for (std::size_t i = 0; i < 7; ++i) points.push_back(isometry(points[i]));
+    all.push_back(points);
+    // A translation that is not exact in doubles, and a corner without an image.
+    for (Point& p : points) p = p * 0.1 + Point(0.3, 1e5, 0);
+    points.push_back(points[0] + Point(0, 0, 1));
+    all.push_back(points);
+  }
+  return all;
+}
+
+TEST_CASE("FastDual: halfspaces of symmetric solids in canonical order, heights with their signs") {
+  std::size_t ordered = 0, mirror_pairs = 0;
+  Random random(1);
+  for (const std::vector<Point>& points : symmetric_points()) {
+    const PointSet set(points);
+    const HullOutcome outcome = convex_hull(set);
+    const Hull* hull = std::get_if<Hull>(&outcome);
+    if (hull == nullptr) continue;
+    const FastDual dual = FastDual::of(*hull, set);
+    const DualSigns signs(dual);
+    const auto count = static_cast<std::uint32_t>(dual.size());
+    for (HalfspaceId i(0); i.value < count; i = HalfspaceId(i.value + 1)) {
+      for (HalfspaceId j(0); j.value < count; j = HalfspaceId(j.value + 1)) {
+        if (i == j) continue;
+        const bool is_first = dual.exact(i) < dual.exact(j);
+        CHECK(dual.precedes(i, j) == is_first);
+        const std::optional<bool> by_image = precedes_image(dual, i, j);
+        if (!by_image) continue;
+        CHECK(*by_image == is_first);
+        ++ordered;
+      }
+    }
+    for (int k = 0; k < 3000; ++k) {
+      std::array<HalfspaceId, 4> planes;
+      for (HalfspaceId& plane : planes) plane = HalfspaceId(uniform_below(random, count));
+      const auto [a, b, c, p] = planes;
+      if (a == b || a == c || a == p || b == c || b == p || c == p) continue;
+      const Sign sign =
+          sign_of(plane_determinant(dual.exact(a), dual.exact(b), dual.exact(c), dual.exact(p)));
+      CHECK(signs.height(a, b, c, p) == sign);
+      CHECK(signs.height_beyond_doubles(a, b, c, p) == sign);
+      if (!are_mirror_pairs(dual, planes)) continue;
+      CHECK(sign == Sign::Zero);
+      ++mirror_pairs;
+    }
+  }
+  CHECK(ordered > 1000);
+  CHECK(mirror_pairs > 100);
+}
+
+TEST_CASE("are_mirror_pairs: not by a reflection that glides, nor by a half turn") {
+  // Tetrahedra with one corner cut, and their images: two facets and those of the images.
+  const std::vector<Point> corners{{1, 2, 3}, {2, 9, 4}, {4, 3, 8}, {9, 5, 5}};
+  const auto pairs_by = [&](const Isometry& isometry) {
+    std::vector<Point> points = corners;
+    for (const Point& p : corners) points.push_back(isometry(p));
+    const PointSet set(points);
+    const Hull hull = std::get<Hull>(convex_hull(set));
+    const FastDual dual = FastDual::of(hull, set);
+    std::size_t found = 0;
+    const auto count = static_cast<std::uint32_t>(dual.size());
+    for (std::uint32_t a = 0; a < count; ++a) {
+      for (std::uint32_t b = a + 1; b < count; ++b) {
+        for (std::uint32_t c = b + 1; c < count; ++c) {
+          for (std::uint32_t p = c + 1; p < count; ++p) {
+            found += are_mirror_pairs(
+                dual, {HalfspaceId(a), HalfspaceId(b), HalfspaceId(c), HalfspaceId(p)});
+          }
+        }
+      }
+    }
+    return found;
+  };
+  CHECK(pairs_by({{0, 1, 2}, {-1, 1, 1}, {0, 0, 0}}) > 0);
+  CHECK(pairs_by({{1, 0, 2}, {1, 1, 1}, {20, -20, 0}}) > 0);
+  CHECK(pairs_by({{0, 1, 2}, {-1, -1, -1}, {0.5, 0, 7}}) > 0);
+  CHECK(pairs_by({{0, 1, 2}, {-1, 1, 1}, {0, 1, 0}}) == 0);
+  CHECK(pairs_by({{1, 0, 2}, {1, 1, 1}, {20, -20, 1}}) == 0);
+  CHECK(pairs_by({{0, 1, 2}, {-1, -1, 1}, {0, 0, 0}}) == 0);
 }
 
 TEST_CASE("simplify_filtered: mirror images tie without a rational") {
