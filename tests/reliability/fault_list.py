@@ -166,7 +166,7 @@ FAULTS = [
     (STALE, 'fast/FilteredLoop::remove', '    stale_[r.index()] = true;\n', '', _AGREE),
     (STALE, 'fast/remove', '    ties_.forget(r);\n', '', _AGREE),
     (STALE, 'fast/choose_from_queue', 'if (!refresh_candidates()) continue;', '', _AGREE),
-    (STALE, 'fast/is_tie_left', 'if (queue_.contains(i) && !(queue_.key(i) > least)) return false;', '', _AGREE),
+    (STALE, 'fast/is_tie_left', 'if (may_cost_as_little(i)) return false;', '', _AGREE),
     (STALE, 'fast/remove', '    tie_.drop(r);\n', '', _AGREE),
     (STALE, 'fast/tighten_top', 'if (stale_[top.index()]) {', 'if (false) {', _AGREE),
     (STALE, 'fast/set_bounds', '  upper_[i.index()] = upper;\n', '  if (upper < upper_[i.index()] || upper_[i.index()] == 0) upper_[i.index()] = upper;\n', _AGREE),
