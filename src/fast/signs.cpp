@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Doubles, incidence, DoubleDouble, integers: each stage is used only if the one before is
-// uncertain.
+// Doubles, incidence, DoubleDouble, mirror pairs, integers: each stage is used only if the one
+// before is uncertain.
 #include "fast/signs.hpp"
 
 #include <algorithm>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// signs.hpp - signs of determinants of dual points: bounds for the roundings, and four stages from
+// signs.hpp - signs of determinants of dual points: bounds for the roundings, and stages from
 // cheap to exact.
 #pragma once
 #include <algorithm>
@@ -126,7 +126,8 @@ inline PlaneFilter filter_for(const Triple<double>& extent, double unit) {
 /// How many signs each stage decided.
 struct SignCounts {
   std::uint64_t filtered = 0;  ///< Decided by doubles.
-  std::uint64_t incident = 0;  ///< Zero: the planes share a vertex of the input, or a direction.
+  std::uint64_t incident =
+      0;  ///< Zero: a shared vertex of the input or direction, or mirror pairs.
   std::uint64_t extended = 0;  ///< Decided by DoubleDouble.
   std::uint64_t exact = 0;     ///< Decided by integers.
 
