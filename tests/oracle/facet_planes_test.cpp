@@ -5,6 +5,7 @@
 #include <doctest/doctest.h>
 
 #include "convexact/geometry.hpp"
+#include "geometry/area_vector.hpp"
 #include "oracle/solid/mesh_surface.hpp"
 #include "shapes/makers.hpp"
 
