@@ -166,6 +166,9 @@ def test_simplified_solids_hold_every_point(engine: Any) -> None:
     assert cx.verify(points, small.planes).ok
     alone = cx.simplify(points, faces=10, engine=engine, jobs=1)
     assert alone.exact_planes == small.exact_planes and cx.hull(points, jobs=1).volume == cx.hull(points, jobs=2).volume
+    for wrong in (0, 257, 2**50, True):
+        with pytest.raises(cx.InvalidArgument):
+            cx.hull(points, jobs=wrong)
     stored = cx.simplify(points.astype(np.float32), faces=10)
     assert (stored.mesh[0] == stored.mesh[0].astype(np.float32)).all()
     assert cx.verify(points.astype(np.float32), stored.mesh).ok

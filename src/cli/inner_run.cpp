@@ -111,7 +111,7 @@ int run_inner(const SimplifyArguments& options) {
   const InnerRequest wanted = inner_request_of(options);
   require_outputs(options.output.all_paths(), options.inputs);
   CommandRun run(options.global);
-  std::vector<SceneObject> scene = run.read(options.inputs, options.scene);
+  std::vector<SceneObject> scene = read_objects(options, run);
   for (const SceneObject& object : scene) {
     if (std::holds_alternative<PointSet>(object.shape)) continue;
     reject_argument("--inner: " + object.name +

@@ -82,8 +82,7 @@ void install_memory_functions() {
 #ifdef M_MMAP_THRESHOLD
   // Keeps what is freed, since each page that the system gives anew costs a fault. glibc goes to
   // these thresholds by itself, but only after it freed a block of that size.
-  mallopt(M_MMAP_THRESHOLD, 32 << 20);
-  mallopt(M_TRIM_THRESHOLD, 64 << 20);
+  if (mallopt(M_MMAP_THRESHOLD, 32 << 20) == 1) mallopt(M_TRIM_THRESHOLD, 64 << 20);
 #endif
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "convexact/error.hpp"
 #include "convexact/geometry.hpp"
@@ -23,9 +24,11 @@ Halfspace::Halfspace(IntegerVector3 normal, Integer offset)
 namespace {
 
 // n/g in doubles, for numbers that they can hold: truncating both moves it by less than 2^-52 of
-// itself each, the quotient by 2^-53. Beyond them it is infinite or NaN, far below 1 less exact.
+// itself each, the quotient by 2^-53; far below 1 it is less exact. Infinite or NaN beyond them.
 double near_quotient(const Integer& n, const Integer& g) {
-  return mpz_get_d(raw(n)) / mpz_get_d(raw(g));
+  const double divisor = mpz_get_d(raw(g));
+  return std::isfinite(divisor) ? mpz_get_d(raw(n)) / divisor
+                                : std::numeric_limits<double>::quiet_NaN();
 }
 
 // Whether two such quotients differ by more than they may be off together; never for NaN.

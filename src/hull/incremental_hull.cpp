@@ -206,7 +206,7 @@ class IncrementalHull {
       for (const PointId p : points) file(p, place(p, find(p)));
       return;
     }
-    places_.resize(4 * kTurn * jobs_);
+    places_.resize(4 * kTurn * std::min(jobs_, points.size() / kTurn));
     for (std::size_t first = 0; first < points.size(); first += places_.size()) {
       watch_.ask();
       const auto some = points.subspan(first, std::min(places_.size(), points.size() - first));

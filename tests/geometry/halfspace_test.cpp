@@ -55,6 +55,15 @@ TEST_CASE("Halfspace: the canonical order of quotients that doubles can and cann
       }
     }
   }
+  // Divisors that no double holds, beside offsets that doubles do.
+  for (const unsigned bits : {9u, 1023u, 1024u, 1030u, 1033u}) {
+    const Integer g = Integer(1) << bits;
+    for (const unsigned offset_bits : {0u, 8u, 1022u, 1023u, 1025u}) {
+      halfspaces.emplace_back(IntegerVector3(g, 0, 0), Integer(-((Integer(1) << offset_bits) + 1)));
+      halfspaces.emplace_back(IntegerVector3(g, 0, 0), Integer((Integer(1) << offset_bits) + 1));
+    }
+  }
+  halfspaces.emplace_back(IntegerVector3(512, 0, 0), Integer(-1));
   for (const Halfspace& a : halfspaces) {
     for (const Halfspace& b : halfspaces) {
       CHECK((a < b) == (quotients(a) < quotients(b)));

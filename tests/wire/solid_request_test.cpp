@@ -172,6 +172,12 @@ TEST_CASE("solid request: faults name what was expected") {
   CHECK(message("hull", R"({"planes": [["a", "b", "c", "d"]]})").ends_with("found 'a'"));
   CHECK(message("hull", R"({"points": [["a", "b", "c"]]})").ends_with("found 'a'"));
   CHECK(message("hull", R"({"points": [], "digits": 0})") == "expected digits from 1 to 10000");
+  for (const char* jobs : {"0", "257"}) {
+    const std::string request = R"({"points": [], "faces": 4, "jobs": )" + std::string(jobs) + "}";
+    CHECK(message("simplify", request) ==
+          "jobs: expected a whole number from 1 to 256, found '" + std::string(jobs) + "'");
+  }
+  CHECK(message("hull", R"({"points": [], "jobs": 257})") == "expected jobs from 1 to 256");
   CHECK(message("simplify", R"({"points": [], "files": ["a.fbx"], "faces": 4})")
             .starts_with("expected files as names that end in"));
   CHECK(message("simplify", R"({"points": [], "precision": 16, "faces": 4})") ==
