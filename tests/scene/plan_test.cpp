@@ -183,12 +183,20 @@ TEST_CASE("plan: caps and exact planes are looked at as they are needed") {
   const FastResult result = simplify_filtered(idle, {.faces = 10});
   CHECK(result.counts.exact == 0);
   CHECK(idle.formed() == 0);
-  // Equal costs are not: eight equal corners.
-  const PointSet cut(shapes::cut_cube(8, 0.25));
-  const Hull cut_hull = std::get<Hull>(convex_hull(cut));
-  const FastDual tied = FastDual::of(cut_hull, cut);
-  (void)simplify_filtered(tied, {.faces = 6});
-  CHECK(tied.formed() > 0);
+  // Equal costs are not, but the corners of facets prove them: eight equal corners.
+  const auto formed_by = [](const PointSet& points) {
+    const Hull tied_hull = std::get<Hull>(convex_hull(points));
+    const FastDual tied = FastDual::of(tied_hull, points);
+    const FastResult run = simplify_filtered(tied, {.faces = 6});
+    CHECK(run.counts.congruent > 0);
+    return tied.formed();
+  };
+  const std::vector<Point> cut = shapes::cut_cube(8, 0.25);
+  CHECK(formed_by(PointSet(cut)) == 0);
+  // Unless they are no doubles.
+  std::vector<RationalPoint> thirds;
+  for (const Point& p : cut) thirds.push_back(to_rational(p) / Rational(3));
+  CHECK(formed_by(PointSet(thirds)) > 0);
 }
 
 TEST_CASE("watch: every measure with roots can be stopped (#13)") {
