@@ -21,7 +21,7 @@ bool is_unknown(const Direction& d) { return d[0] == 0 && d[1] == 0 && d[2] == 0
 
 // A vector, exactly: each entry as the sum of two doubles: the nearest one, and the rest. Not a
 // number where it overflows, and then equal to nothing.
-using Shift = std::array<std::pair<double, double>, 3>;
+using Translation = std::array<std::pair<double, double>, 3>;
 
 // Row k has its only entry, sign[k], in column axis[k].
 struct SignedPermutation {
@@ -42,7 +42,7 @@ struct SignedPermutation {
     return {sign[0] * x[axis[0]], sign[1] * x[axis[1]], sign[2] * x[axis[2]]};
   }
   // Whether S t = -t. If S is its own inverse, then so is x -> S x + t.
-  bool turns_round(const Shift& t) const {
+  bool turns_round(const Translation& t) const {
     for (int k = 0; k < 3; ++k) {
       const auto& [high, low] = t[axis[k]];
       if (sign[k] * high != -t[k].first || sign[k] * low != -t[k].second) return false;
@@ -99,8 +99,9 @@ std::size_t least_of(std::size_t count, const Corner& corner) {
 // The t for which x -> S x + t carries the corners of facet i to those of j; none if none is found.
 // Then it carries the halfspace of i to that of j: outside is where corners are run through
 // counter-clockwise.
-std::optional<Shift> shift_between_corners(const FastDual& dual, const SignedPermutation& symmetry,
-                                           HalfspaceId i, HalfspaceId j) {
+std::optional<Translation> shift_between_corners(const FastDual& dual,
+                                                 const SignedPermutation& symmetry, HalfspaceId i,
+                                                 HalfspaceId j) {
   const std::span<const PointId> from = dual.corners(i), to = dual.corners(j);
   const std::size_t k = from.size();
   if (k == 0 || to.size() != k) return {};
@@ -109,11 +110,11 @@ std::optional<Shift> shift_between_corners(const FastDual& dual, const SignedPer
   // A translation does not change which corner is the least. Three of the corners, which are not
   // collinear, determine the plane.
   const std::size_t from_least = least_of(k, image), to_least = least_of(k, corner);
-  std::optional<Shift> shift;
+  std::optional<Translation> shift;
   for (const std::size_t m : {std::size_t{0}, k / 3, 2 * k / 3}) {
     const Point p = image((from_least + m) % k),
                 q = corner((to_least + (symmetry.is_reflection() ? k - m : m)) % k);
-    Shift difference;
+    Translation difference;
     for (int axis = 0; axis < 3; ++axis) {
       const DoubleDouble exact = DoubleDouble::difference(q[axis], p[axis]);
       difference[axis] = {exact.hi(), exact.lo()};
@@ -167,7 +168,7 @@ struct Correspondence {
 };
 
 bool holds_by_corners(const Correspondence& of) {
-  const std::optional<Shift> shift =
+  const std::optional<Translation> shift =
       shift_between_corners(of.dual, of.symmetry, of.a.facet, of.b.facet);
   if (!shift) return false;
   for (std::size_t m = 0; m < of.a.neighbours.size(); ++m) {
@@ -192,7 +193,7 @@ bool holds_by_planes(const Correspondence& of) {
   return differ_by_one_translation(pairs);
 }
 
-std::vector<Direction> directions_of(const FastDual& dual, const FacetOutline& outline) {
+std::vector<Direction> outline_directions(const FastDual& dual, const FacetOutline& outline) {
   std::vector<Direction> directions;
   directions.reserve(1 + outline.neighbours.size());
   directions.push_back(dual.direction(outline.facet));
@@ -205,7 +206,7 @@ std::vector<Direction> directions_of(const FastDual& dual, const FacetOutline& o
 bool are_congruent(const FastDual& dual, const FacetOutline& a, const FacetOutline& b) {
   const std::size_t k = a.neighbours.size();
   if (b.neighbours.size() != k) return false;
-  const std::vector<Direction> from = directions_of(dual, a), to = directions_of(dual, b);
+  const std::vector<Direction> from = outline_directions(dual, a), to = outline_directions(dual, b);
   for (const SignedPermutation& symmetry : all_symmetries()) {
     if (!symmetry.may_carry(from[0], to[0])) continue;
     const std::size_t step = symmetry.is_reflection() ? k - 1 : 1;
@@ -230,7 +231,7 @@ bool are_mirror_pairs(const FastDual& dual, const std::array<HalfspaceId, 4>& pl
     for (const auto& [a, its_image, b, other_image] : kPairs) {
       if (!symmetry.may_carry(direction[a], direction[its_image])) continue;
       if (!symmetry.may_carry(direction[b], direction[other_image])) continue;
-      const std::optional<Shift> shift =
+      const std::optional<Translation> shift =
           shift_between_corners(dual, symmetry, planes[a], planes[its_image]);
       if (!shift || !symmetry.turns_round(*shift)) continue;
       if (shift_between_corners(dual, symmetry, planes[b], planes[other_image]) == shift) {
