@@ -98,13 +98,15 @@ std::size_t least_of(std::size_t count, const Corner& corner) {
 
 // The t for which x -> S x + t carries the corners of facet i to those of j; none if none is found.
 // Then it carries the halfspace of i to that of j: outside is where corners are run through
-// counter-clockwise.
+// counter-clockwise. Not for a facet of many corners, such as the base of a prism: all the sides
+// have it as a neighbour, and its plane is formed once.
 std::optional<Translation> shift_between_corners(const FastDual& dual,
                                                  const SignedPermutation& symmetry, HalfspaceId i,
                                                  HalfspaceId j) {
   const std::span<const PointId> from = dual.corners(i), to = dual.corners(j);
   const std::size_t k = from.size();
-  if (k == 0 || to.size() != k) return {};
+  constexpr std::size_t kMany = 16;
+  if (k == 0 || k > kMany || to.size() != k) return {};
   const auto image = [&](std::size_t m) { return symmetry(dual.point(from[m])); };
   const auto corner = [&](std::size_t m) { return dual.point(to[m]); };
   // A translation does not change which corner is the least. Three of the corners, which are not
@@ -167,14 +169,29 @@ struct Correspondence {
   }
 };
 
+// Whether x -> S x + t carries the plane of one halfspace to that of the other, outside to outside:
+// {n.x + d = 0} to {Sn.x + d - Sn.t = 0}.
+bool carries_plane(const SignedPermutation& symmetry, const Translation& t, const Halfspace& from,
+                   const Halfspace& to) {
+  if (!symmetry.carries(from.normal(), to.normal())) return false;
+  Rational offset = from.offset();
+  for (int k = 0; k < 3; ++k) {
+    if (t[k].first == 0) continue;
+    offset -= to.normal()[k] * Rational(to_rational(t[k].first) + to_rational(t[k].second));
+  }
+  return offset == to.offset();
+}
+
+// By the corners of the facets, which determine t; by planes for a neighbour whose corners do not
+// correspond, as those of a long wall and a short one.
 bool holds_by_corners(const Correspondence& of) {
-  const std::optional<Translation> shift =
+  const std::optional<Translation> t =
       shift_between_corners(of.dual, of.symmetry, of.a.facet, of.b.facet);
-  if (!shift) return false;
+  if (!t) return false;
   for (std::size_t m = 0; m < of.a.neighbours.size(); ++m) {
-    if (shift_between_corners(of.dual, of.symmetry, of.a.neighbours[m], of.neighbour(m)) != shift) {
-      return false;
-    }
+    const HalfspaceId i = of.a.neighbours[m], j = of.neighbour(m);
+    if (shift_between_corners(of.dual, of.symmetry, i, j) == t) continue;
+    if (!carries_plane(of.symmetry, *t, of.dual.exact(i), of.dual.exact(j))) return false;
   }
   return true;
 }

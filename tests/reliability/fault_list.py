@@ -71,6 +71,8 @@ FAULTS = [
     (TIE, 'fast/precedes', 'is_first ? *is_first : exact(i) < exact(j)', 'is_first ? *is_first : i < j', _AGREE),
     (TIE, 'fast/are_congruent', 'symmetry.is_reflection() ? k - 1 : 1', '1', _AGREE),
     (TIE, 'fast/holds_by_planes', 'return differ_by_one_translation(pairs);', 'return true;', _AGREE),
+    (TIE, 'fast/carries_plane', 'return offset == to.offset();', 'return true;', 'fast'),
+    (TIE, 'fast/precedes_image', 'symmetry.axis[k] == k && symmetry.sign[k] == 1', 'true', 'fast'),
     (TIE, 'fast/turns_round', 'sign[k] * high != -t[k].first || sign[k] * low != -t[k].second', 'false', 'fast'),
     (SIGN, 'fast/height_by_vertex', 'return is_swapped ? sign : -sign;', 'return sign;', _AGREE),
     (TIE, 'scene/cheapest', '    if (!first) first = part;', '    first = part;', 'parts'),
