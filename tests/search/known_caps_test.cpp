@@ -59,7 +59,7 @@ TEST_CASE("KnownCaps: a cap bounds others where the solid has all of its ring") 
   const HalfspaceId i(0);
   caps.add(i, ring({1, 2, 3}), bounded(5));
   caps.add(i, ring({4, 5, 6}), {Boundedness::Unbounded, 0, 0});
-  caps.add(i, ring({4, 5, 7}), {Boundedness::Unknown, 0, 0});
+  caps.add(i, ring({4, 5, 7}), {Boundedness::Doubtful, 0, 0});
   const auto is_at_most = [&](double most, const std::set<std::uint32_t>& solid) {
     return caps.is_at_most(i, most, [&](HalfspaceId h) { return solid.contains(h.value); });
   };
