@@ -6,7 +6,9 @@
     build/peers/bin/python tests/bench/manifold_ratio.py build/bench/tests/bench/convexact-bench a.obj b.obj
 
 Both are timed in turn, each from points in memory to the hull. Manifold's is in doubles, and proves
-nothing; the time includes its copy of the points, which is small. Prints medians in milliseconds.
+nothing; its time includes the copy of the points from Python, which is not small where few points are
+on the hull. The meshes need faces, as other benchmarks of the same program read them, too. Prints
+medians in milliseconds of the processor.
 """
 
 import argparse
