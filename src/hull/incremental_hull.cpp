@@ -254,14 +254,24 @@ class IncrementalHull {
   }
 
   void insert_furthest_first(double budget) {
-    while (!pending_.empty() && work_ < budget) {
-      const std::uint32_t t = pending_.back();
-      pending_.pop_back();
+    while (pending_.size() > taken_ && work_ < budget) {
+      const std::uint32_t t = take_pending();
       conflicts_[t].pending = false;
       if (conflicts_[t].alive && conflicts_[t].first != kNone) {
         insert(PointId(conflicts_[t].first), t);
       }
     }
+  }
+
+  // The triangle that has waited longest, at first: so a coarse hull is soon all around, most
+  // points are inside it for good, and few triangles are made in vain. Then the last one, whose
+  // surroundings are still in the cache.
+  std::uint32_t take_pending() {
+    constexpr std::size_t kCoarse = 256;
+    if (taken_ < kCoarse) return pending_[taken_++];
+    const std::uint32_t t = pending_.back();
+    pending_.pop_back();
+    return t;
   }
 
   void insert_randomly(std::uint64_t seed) {
@@ -445,7 +455,8 @@ class IncrementalHull {
   TriangulatedHull result_;
   std::vector<Conflicts> conflicts_;    // by triangle
   std::vector<std::uint32_t> free_;     // slots of dead triangles
-  std::vector<std::uint32_t> pending_;  // triangles that may have points
+  std::vector<std::uint32_t> pending_;  // triangles that may have points, behind those ...
+  std::size_t taken_ = 0;               // ... taken from the front
   // By point: next in its list; its triangle or kNone; its horizon edge, valid in round_of_.
   std::vector<std::uint32_t> next_, conflict_, horizon_at_, round_of_;
   TriangleFan<Points> fan_;
