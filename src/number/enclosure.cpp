@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
-#include <array>
+#include <optional>
 
 #include "convexact/error.hpp"
 #include "convexact/number.hpp"
@@ -44,25 +44,46 @@ namespace {
 
 using Operation = int (*)(mpfr_ptr, mpfr_srcptr, mpfr_srcptr, mpfr_rnd_t);
 
-// The least and the greatest of f at the four corners of a box, rounded down and up. For an f that
-// is monotone in each argument where the other is fixed, that is its range over the box: its
-// extremes lie on the sides of the box, and on a side at its ends.
 struct Range {
   BigFloat low, high;
 };
 
-Range range_at_corners(Operation f, const std::array<mpfr_srcptr, 2>& a,
-                       const std::array<mpfr_srcptr, 2>& b, long precision) {
+// The ends of an interval b that does not change its sign, by what an end makes of a product or a
+// quotient: the larger in size, or the smaller.
+struct SignedEnds {
+  mpfr_srcptr larger, smaller;
+  bool is_negative;
+};
+
+// All products, or quotients, of the interval [low, high] and b, rounded outward.
+Range range_of(Operation f, mpfr_srcptr low, mpfr_srcptr high, const SignedEnds& b,
+               long precision) {
+  const mpfr_srcptr& to_low = mpfr_sgn(low) >= 0 ? b.smaller : b.larger;
+  const mpfr_srcptr& to_high = mpfr_sgn(high) >= 0 ? b.larger : b.smaller;
   Range range{BigFloat(precision), BigFloat(precision)};
-  f(range.low.data(), a[0], b[0], MPFR_RNDD);
-  f(range.high.data(), a[0], b[0], MPFR_RNDU);
-  BigFloat corner(precision);
-  for (int k = 1; k < 4; ++k) {
-    f(corner.data(), a[k & 1], b[k >> 1], MPFR_RNDD);
-    mpfr_min(range.low.data(), range.low.data(), corner.data(), MPFR_RNDD);
-    f(corner.data(), a[k & 1], b[k >> 1], MPFR_RNDU);
-    mpfr_max(range.high.data(), range.high.data(), corner.data(), MPFR_RNDU);
-  }
+  f(range.low.data(), b.is_negative ? high : low, b.is_negative ? to_high : to_low, MPFR_RNDD);
+  f(range.high.data(), b.is_negative ? low : high, b.is_negative ? to_low : to_high, MPFR_RNDU);
+  return range;
+}
+
+// The ends of an interval as a factor; nothing if it holds numbers of both signs.
+std::optional<SignedEnds> factor_ends(mpfr_srcptr low, mpfr_srcptr high) {
+  if (mpfr_sgn(low) >= 0) return SignedEnds{high, low, false};
+  if (mpfr_sgn(high) <= 0) return SignedEnds{low, high, true};
+  return {};
+}
+
+// All products of two intervals that both hold 0 inside.
+Range range_around_zero(mpfr_srcptr low, mpfr_srcptr high, mpfr_srcptr other_low,
+                        mpfr_srcptr other_high, long precision) {
+  Range range{BigFloat(precision), BigFloat(precision)};
+  BigFloat product(precision);
+  mpfr_mul(range.low.data(), low, other_high, MPFR_RNDD);
+  mpfr_mul(product.data(), high, other_low, MPFR_RNDD);
+  mpfr_min(range.low.data(), range.low.data(), product.data(), MPFR_RNDD);
+  mpfr_mul(range.high.data(), low, other_low, MPFR_RNDU);
+  mpfr_mul(product.data(), high, other_high, MPFR_RNDU);
+  mpfr_max(range.high.data(), range.high.data(), product.data(), MPFR_RNDU);
   return range;
 }
 
@@ -143,9 +164,19 @@ Enclosure& Enclosure::operator+=(const Enclosure& other) {
 }
 
 Enclosure& Enclosure::operator*=(const Enclosure& other) {
-  Range range = range_at_corners(mpfr_mul, {low_.data(), high_.data()},
-                                 {other.low_.data(), other.high_.data()},
-                                 std::max(precision(), other.precision()));
+  const mpfr_srcptr low = low_.data(), high = high_.data(), other_low = other.low_.data(),
+                    other_high = other.high_.data();
+  const long bits = std::max(precision(), other.precision());
+  const auto make = [&] {
+    if (const auto ends = factor_ends(other_low, other_high)) {
+      return range_of(mpfr_mul, low, high, *ends, bits);
+    }
+    if (const auto ends = factor_ends(low, high)) {
+      return range_of(mpfr_mul, other_low, other_high, *ends, bits);
+    }
+    return range_around_zero(low, high, other_low, other_high, bits);
+  };
+  Range range = make();
   low_ = std::move(range.low);
   high_ = std::move(range.high);
   require_finite();
@@ -153,10 +184,13 @@ Enclosure& Enclosure::operator*=(const Enclosure& other) {
 }
 
 Enclosure& Enclosure::operator/=(const Enclosure& other) {
-  if (other.sign().value_or(Sign::Zero) == Sign::Zero) reject_argument("a divisor may be zero");
-  Range range = range_at_corners(mpfr_div, {low_.data(), high_.data()},
-                                 {other.low_.data(), other.high_.data()},
-                                 std::max(precision(), other.precision()));
+  const Sign sign = other.sign().value_or(Sign::Zero);
+  if (sign == Sign::Zero) reject_argument("a divisor may be zero");
+  const mpfr_srcptr low = other.low_.data(), high = other.high_.data();
+  const SignedEnds ends =
+      sign == Sign::Positive ? SignedEnds{low, high, false} : SignedEnds{high, low, true};
+  Range range =
+      range_of(mpfr_div, low_.data(), high_.data(), ends, std::max(precision(), other.precision()));
   low_ = std::move(range.low);
   high_ = std::move(range.high);
   require_finite();

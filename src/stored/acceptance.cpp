@@ -2,9 +2,9 @@
 #include "stored/acceptance.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
-#include <numeric>
 #include <optional>
 
 #include "convexact/error.hpp"
@@ -31,59 +31,117 @@ Point to_local(const RationalVector3& v, long exponent) {
   return p;
 }
 
+using EnclosedVector = std::array<Enclosure, 3>;
+
+EnclosedVector enclose(const RationalVector3& v) {
+  return {Enclosure(v[0], kMeasureBits), Enclosure(v[1], kMeasureBits),
+          Enclosure(v[2], kMeasureBits)};
+}
+
+Enclosure dot(const EnclosedVector& a, const EnclosedVector& b) {
+  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+// A vector exactly, in an enclosure, and as doubles on the scale of both solids.
+struct SeenVector {
+  RationalVector3 exact;
+  EnclosedVector enclosed;
+  Point near;
+
+  explicit SeenVector(RationalVector3 v)
+      : exact(std::move(v)), enclosed(enclose(exact)), near(Point::Zero()) {}
+};
+
 // A solid seen from a point strictly inside it.
 struct CenteredSolid {
-  std::vector<RationalVector3> vertices;  // minus the center
-  std::vector<RationalVector3> polars;  // n / w, w = -(n.center + d) > 0: the solid is polar.x <= 1
+  std::vector<SeenVector> vertices;  // minus the center
+  std::vector<SeenVector> polars;    // n / w, w = -(n.center + d) > 0: the solid is polar.x <= 1
 
   CenteredSolid(const Polytope& polytope, const RationalPoint& center) {
-    for (const RationalPoint& v : polytope.vertices) vertices.push_back(v - center);
+    for (const RationalPoint& v : polytope.vertices) vertices.emplace_back(v - center);
     for (const Halfspace& h : polytope.planes) {
       const Rational w = -h(center);
       if (w <= 0) throw Error(ErrorCode::InvalidArgument, "the center is not inside the solid");
-      polars.push_back(h.normal().cast<Rational>() / w);
+      polars.emplace_back(h.normal().cast<Rational>() / w);
     }
   }
+
+  void set_scale(long exponent) {
+    for (SeenVector& v : vertices) v.near = to_local(v.exact, exponent);
+    for (SeenVector& y : polars) y.near = to_local(y.exact, -exponent);
+  }
+};
+
+long largest_exponent_of(const CenteredSolid& solid) {
+  std::optional<long> largest;
+  for (const SeenVector& v : solid.vertices) {
+    largest = std::max(largest, largest_exponent(std::span(&v.exact, 1)));
+  }
+  return largest.value();
+}
+
+// Doubles around a number.
+struct Bounds {
+  double low = 0, high = 0;
 };
 
 // Bounds max over the vertices of `from` of the distance to `to`.
 class OneSidedBound {
  public:
-  OneSidedBound(const CenteredSolid& from, const CenteredSolid& to, long exponent)
-      : from_(from), to_(to) {
-    for (const RationalVector3& v : to.vertices) near_.push_back(to_local(v, exponent));
-    for (const RationalVector3& y : to.polars) polars_.push_back(to_local(y, -exponent));
-    for (const RationalVector3& v : from.vertices) locals_.push_back(to_local(v, exponent));
-  }
+  OneSidedBound(const CenteredSolid& from, const CenteredSolid& to) : from_(from), to_(to) {}
 
-  Rational squared() {
-    // From the vertex that seems farthest on; no later one can raise the bound once the distance to
-    // its nearest vertex is below it.
-    std::vector<std::size_t> nearest(locals_.size());
-    std::vector<Rational> reach(locals_.size());
-    std::vector<std::size_t> order(locals_.size());
-    std::iota(order.begin(), order.end(), 0);
-    for (const std::size_t i : order) {
-      nearest[i] = nearest_vertex(locals_[i]);
-      reach[i] = squared_norm(from_.vertices[i] - to_.vertices[nearest[i]]);
+  // Most vertices are certainly nearer than another one; exact numbers are for the others.
+  Rational squared() const {
+    std::vector<Candidate> candidates;
+    double least = 0;  // a lower bound of the result
+    for (Candidate& c : by_reach()) {
+      if (c.squared.high <= least) break;  // and so have all that follow
+      const Bounds way = squared_way_in_bounds(c.vertex);
+      c.squared = {std::min(c.squared.low, way.low), std::min(c.squared.high, way.high)};
+      least = std::max(least, c.squared.low);
+      candidates.push_back(c);
     }
-    std::sort(order.begin(), order.end(),
-              [&](std::size_t a, std::size_t b) { return reach[a] > reach[b]; });
-    Rational bound = 0;
-    for (const std::size_t i : order) {
-      if (reach[i] <= bound) break;
-      bound = std::max(bound, std::min(reach[i], squared_way_in(i)));
+    Rational largest = 0;
+    for (const Candidate& c : candidates) {
+      if (c.squared.high < least || c.squared.high == 0) continue;
+      largest = std::max(largest, std::min(squared_reach(c), squared_way_in(c.vertex)));
     }
-    return bound;
+    return largest;
   }
 
  private:
+  // A vertex of `from`, the vertex of `to` that seems nearest, and bounds of the squared distance.
+  struct Candidate {
+    std::size_t vertex, nearest;
+    Bounds squared;
+  };
+
+  // With the distance to the nearest vertex, from the vertex that seems farthest on.
+  std::vector<Candidate> by_reach() const {
+    std::vector<Candidate> all;
+    for (std::size_t i = 0; i < from_.vertices.size(); ++i) {
+      const std::size_t j = nearest_vertex(from_.vertices[i].near);
+      EnclosedVector way = from_.vertices[i].enclosed;
+      for (std::size_t k = 0; k < 3; ++k) way[k] -= to_.vertices[j].enclosed[k];
+      const Enclosure squared = dot(way, way);
+      all.push_back({i, j, {squared.low_double(), squared.high_double()}});
+    }
+    std::sort(all.begin(), all.end(), [](const Candidate& a, const Candidate& b) {
+      return a.squared.high > b.squared.high;
+    });
+    return all;
+  }
+
+  Rational squared_reach(const Candidate& c) const {
+    return squared_norm(from_.vertices[c.vertex].exact - to_.vertices[c.nearest].exact);
+  }
+
   // A good guess is enough: the distance to any vertex is an upper bound.
   std::size_t nearest_vertex(const Point& p) const {
     std::size_t best = 0;
     double least = std::numeric_limits<double>::infinity();
-    for (std::size_t j = 0; j < near_.size(); ++j) {
-      const double distance = (near_[j] - p).squaredNorm();
+    for (std::size_t j = 0; j < to_.vertices.size(); ++j) {
+      const double distance = (to_.vertices[j].near - p).squaredNorm();
       if (distance < least) least = distance, best = j;
     }
     return best;
@@ -91,40 +149,57 @@ class OneSidedBound {
 
   // With g = max over the planes of polar.v the point v/g is in the solid, and v is if g <= 1.
   Rational squared_way_in(std::size_t i) const {
-    const Rational g = gauge(i);
-    if (g <= 1) return 0;
-    const Rational part = 1 - 1 / g;
-    return squared_norm(from_.vertices[i]) * part * part;
+    std::optional<Rational> g;
+    for (const std::size_t k : top_planes(i)) {
+      const Rational value = to_.polars[k].exact.dot(from_.vertices[i].exact);
+      if (!g || value > *g) g = value;
+    }
+    CONVEXACT_ASSERT(g.has_value());
+    if (*g <= 1) return 0;
+    const Rational part = 1 - 1 / *g;
+    return squared_norm(from_.vertices[i].exact) * part * part;
   }
 
-  // The largest polar.v, exactly; doubles only exclude planes.
-  Rational gauge(std::size_t i) const {
-    std::vector<double> upper(polars_.size());
+  // The same for each plane on its own: the way in is the longest of them.
+  Bounds squared_way_in_bounds(std::size_t i) const {
+    const Enclosure one(Integer(1), kMeasureBits);
+    const EnclosedVector& v = from_.vertices[i].enclosed;
+    Bounds longest;
+    for (const std::size_t k : top_planes(i)) {
+      const Enclosure g = dot(to_.polars[k].enclosed, v);
+      const Enclosure beyond = g - one;
+      if (beyond.high_double() <= 0) continue;
+      if (g.sign() != Sign::Positive) return {0, std::numeric_limits<double>::infinity()};
+      const Enclosure part = beyond / g, squared = dot(v, v) * part * part;
+      longest = {std::max(longest.low, squared.low_double()),
+                 std::max(longest.high, squared.high_double())};
+    }
+    return longest;
+  }
+
+  // The planes that may have the largest polar.v.
+  std::vector<std::size_t> top_planes(std::size_t i) const {
+    std::vector<double> upper(to_.polars.size());
     double best_lower = -std::numeric_limits<double>::infinity();
-    for (std::size_t k = 0; k < polars_.size(); ++k) {
-      const Point& y = polars_[k];
-      const Point product = y.cwiseProduct(locals_[i]);
+    for (std::size_t k = 0; k < upper.size(); ++k) {
+      const Point& y = to_.polars[k].near;
+      const Point product = y.cwiseProduct(from_.vertices[i].near);
       const double value = product[0] + product[1] + product[2];
       const double error = kRelativePlaneError * product.cwiseAbs().sum() +
                            absolute_plane_error(std::max(1.0, y.cwiseAbs().maxCoeff()));
       upper[k] = value + error;
       best_lower = std::max(best_lower, value - error);
     }
-    std::optional<Rational> largest;
-    for (std::size_t k = 0; k < polars_.size(); ++k) {
+    std::vector<std::size_t> top;
+    for (std::size_t k = 0; k < upper.size(); ++k) {
       if (upper[k] < best_lower) continue;  // false for NaN
-      const Rational value = to_.polars[k].dot(from_.vertices[i]);
-      if (!largest || value > *largest) largest = value;
+      top.push_back(k);
     }
-    CONVEXACT_ASSERT(largest.has_value());
-    return *largest;
+    return top;
   }
 
   const CenteredSolid& from_;
   const CenteredSolid& to_;
-  std::vector<Point> near_;    // vertices of `to`
-  std::vector<Point> polars_;  // of `to`
-  std::vector<Point> locals_;  // vertices of `from`
 };
 
 // sqrt(x) rounded up: the square root of a double is within half an ulp.
@@ -171,11 +246,11 @@ std::size_t final_pass(std::span<const Halfspace> halfspaces, const PointSet& in
 
 Growth growth(const Polytope& exact, const Polytope& stored, const RationalPoint& center,
               const Rational& squared_diameter) {
-  const CenteredSolid a(exact, center), b(stored, center);
-  const long exponent =
-      std::max(largest_exponent(a.vertices), largest_exponent(b.vertices)).value();
-  const Rational squared =
-      std::max(OneSidedBound(a, b, exponent).squared(), OneSidedBound(b, a, exponent).squared());
+  CenteredSolid a(exact, center), b(stored, center);
+  const long exponent = std::max(largest_exponent_of(a), largest_exponent_of(b));
+  a.set_scale(exponent);
+  b.set_scale(exponent);
+  const Rational squared = std::max(OneSidedBound(a, b).squared(), OneSidedBound(b, a).squared());
   Growth growth;
   growth.push = root_up(squared / squared_diameter);
   // The exact quotient would be as long as all denominators together: over a second for 3,000

@@ -32,8 +32,8 @@ namespace convexact::stored {
 /// almost flat.
 /// @param center   Strictly inside both.
 /// @param squared_diameter  Of the input; positive.
-/// @par Cost  A double distance for each pair of vertices; exact arithmetic for a few pairs of each
-/// vertex.
+/// @par Cost  A double distance for each pair of vertices; enclosures for a few planes of each
+/// vertex that may be the farthest, and exact numbers for those that these leave.
 [[nodiscard]] Growth growth(const Polytope& exact, const Polytope& stored,
                             const RationalPoint& center, const Rational& squared_diameter);
 
