@@ -75,8 +75,6 @@ def hull(
         raise InvalidArgument(f"measures: expected volume, area, mean_width and inertia, found {sorted(unknown)}")
     rows, halfspaces = _shape(points, planes)
     threads = None if jobs is None else _inputs.count(jobs, "jobs")
-    if threads is not None and not 1 <= threads <= 256:
-        raise InvalidArgument(f"jobs: expected 1 to 256, found {jobs!r}")
     return Hull(_core.hull(rows, halfspaces, list(measures), digits, threads, _inputs.progress(progress)))
 
 

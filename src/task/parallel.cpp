@@ -5,6 +5,7 @@
 #include <atomic>
 #include <exception>
 #include <mutex>
+#include <string>
 #include <system_error>
 #include <thread>
 #include <vector>
@@ -61,9 +62,13 @@ void for_each_in_parallel(std::size_t count, std::size_t jobs, const Watch& watc
 }
 
 void require_threads(std::optional<std::size_t> jobs) {
-  if (jobs == 0) throw Error(ErrorCode::InvalidArgument, "jobs: at least one thread is needed");
+  if (!jobs || (*jobs >= 1 && *jobs <= kMostThreads)) return;
+  throw Error(ErrorCode::InvalidArgument, "jobs: expected 1 to " + std::to_string(kMostThreads) +
+                                              ", found " + std::to_string(*jobs));
 }
 
-std::size_t all_cores() { return std::max(1u, std::thread::hardware_concurrency()); }
+std::size_t all_cores() {
+  return std::clamp<std::size_t>(std::thread::hardware_concurrency(), 1, kMostThreads);
+}
 
 }  // namespace convexact

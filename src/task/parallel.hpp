@@ -29,7 +29,10 @@ void for_each_in_parallel(std::size_t count, std::size_t jobs,
 void for_each_in_parallel(std::size_t count, std::size_t jobs, const Watch& watch,
                           const std::function<void(std::size_t, const Watch&)>& work);
 
-/// @throws Error InvalidArgument for no thread at all.
+/// What `jobs` may be at most, everywhere.
+inline constexpr std::size_t kMostThreads = 256;
+
+/// @throws Error InvalidArgument for no thread at all, and for more than kMostThreads.
 void require_threads(std::optional<std::size_t> jobs);
 
 /// What a function returned, or threw: found on one thread, told on another.
@@ -98,7 +101,7 @@ void take_in_order(std::size_t count, std::size_t jobs, const Watch& watch, cons
   }
 }
 
-/// As many threads as this machine runs at the same time, at least 1.
+/// As many threads as this machine runs at the same time, from 1 to kMostThreads.
 [[nodiscard]] std::size_t all_cores();
 
 /// Of a request with `jobs`, which mean all cores where they are not given.

@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "io/names.hpp"
+#include "task/parallel.hpp"
 
 namespace convexact {
 
@@ -196,7 +197,7 @@ Field<Request> count_field(std::string name, Member member, CountRange range, st
 /// Threads of a request that uses all cores where it does not say.
 template <class Request>
 Field<Request> jobs_field(std::string meaning) {
-  return count_field<Request>("jobs", &Request::jobs, {1, 256}, std::move(meaning));
+  return count_field<Request>("jobs", &Request::jobs, {1, kMostThreads}, std::move(meaning));
 }
 
 /// @throws Error InvalidArgument, listing the words.

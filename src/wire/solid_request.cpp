@@ -11,6 +11,7 @@
 #include "proof/proof.hpp"
 #include "scene/objects.hpp"
 #include "scene/time_limit.hpp"
+#include "task/parallel.hpp"
 #include "wire/inner_report.hpp"
 #include "wire/keep_selectors.hpp"
 #include "wire/request_line.hpp"
@@ -75,7 +76,9 @@ void read_hull_options(const json& request, HullRequest& wanted) {
        "precision", "picture", "seed", "digits", "measures", "exact_values", "jobs"},
       "the request");
   wanted.jobs = count_in(request, "jobs");
-  if (wanted.jobs && (*wanted.jobs < 1 || *wanted.jobs > 256)) reject_request("jobs from 1 to 256");
+  if (wanted.jobs && (*wanted.jobs < 1 || *wanted.jobs > kMostThreads)) {
+    reject_request("jobs from 1 to " + std::to_string(kMostThreads));
+  }
   if (const auto digits = count_in(request, "digits")) {
     if (*digits < 1 || *digits > 10000) reject_request("digits from 1 to 10000");
     wanted.digits = static_cast<int>(*digits);

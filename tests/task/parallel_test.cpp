@@ -178,10 +178,12 @@ TEST_CASE("take_in_order: what is behind the end is not told of, not even its fa
   }
 }
 
-TEST_CASE("take_in_order: no thread is refused") {
+TEST_CASE("take_in_order: no thread is refused, and so are too many") {
   const auto make = [](std::size_t i, const Watch&) { return i; };
   const auto take = [](std::size_t, std::size_t) { return true; };
   CHECK_THROWS_AS(take_in_order(5, 0, {}, make, take), Error);
+  CHECK_THROWS_WITH(take_in_order(5, 257, {}, make, take), "jobs: expected 1 to 256, found 257");
+  CHECK_NOTHROW(take_in_order(5, 256, {}, make, take));
 }
 
 TEST_CASE("take_in_order: a watch ends it, and is told") {
