@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <numeric>
 
+#include "hull/facet_order.hpp"
 #include "hull/hull_observer.hpp"
 #include "hull/hull_steps.hpp"
 #include "number/arithmetic.hpp"
@@ -94,6 +95,26 @@ std::vector<std::vector<std::uint32_t>> polygons_of(const FacetList& facets) {
   return polygons;
 }
 
+namespace {
+
+std::vector<std::uint32_t> canonical_order(const std::vector<Halfspace>& planes) {
+  std::vector<std::uint32_t> order(planes.size());
+  std::iota(order.begin(), order.end(), 0u);
+  std::sort(order.begin(), order.end(),
+            [&](std::uint32_t f, std::uint32_t g) { return planes[f] < planes[g]; });
+  return order;
+}
+
+}  // namespace
+
+FacetList in_canonical_order(const Hull& hull, const PointSet& points) {
+  FacetList facets;
+  for (const std::uint32_t f : canonical_order(facet_halfspaces(hull, points))) {
+    facets.push_back(hull.facets[f]);
+  }
+  return facets;
+}
+
 Polytope to_polytope(const Hull& hull, const PointSet& points) {
   Polytope polytope;
   std::vector<std::uint32_t> vertex_of(points.size());
@@ -102,11 +123,7 @@ Polytope to_polytope(const Hull& hull, const PointSet& points) {
     polytope.vertices.push_back(points[p]);
   }
   std::vector<Halfspace> planes = facet_halfspaces(hull, points);
-  std::vector<std::uint32_t> order(planes.size());
-  std::iota(order.begin(), order.end(), 0u);
-  std::sort(order.begin(), order.end(),
-            [&](std::uint32_t f, std::uint32_t g) { return planes[f] < planes[g]; });
-  for (const std::uint32_t f : order) {
+  for (const std::uint32_t f : canonical_order(planes)) {
     std::vector<std::uint32_t> corners;
     for (const PointId p : hull.facets[f]) corners.push_back(vertex_of[p.index()]);
     polytope.facets.push_back(std::move(corners));

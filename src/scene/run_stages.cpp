@@ -11,6 +11,7 @@
 #include "convexact/measure.hpp"
 #include "convexact/stored.hpp"
 #include "fast/checks.hpp"
+#include "hull/facet_order.hpp"
 #include "number/precision.hpp"
 #include "scene/search_stage.hpp"
 #include "simplify/replay.hpp"
@@ -140,7 +141,7 @@ bool keeps_record(const SimplifyRequest& request) {
 // Whether the exact planes of the whole input are not needed.
 bool is_lean(const Shape& shape, const SimplifyRequest& request) {
   const bool needs_polytope =
-      request.center || !request.keep.empty() || request.search.kind != SearchKind::None;
+      request.center || !request.keep.empty() || request.search.kind == SearchKind::Optimal;
   return std::holds_alternative<PointSet>(shape) && !keeps_record(request) && !request.record &&
          !needs_polytope;
 }
@@ -188,10 +189,15 @@ std::variant<std::unique_ptr<RunInput>, NotSolid> prepare_run(const Shape& shape
     auto outcome =
         make_hull(*points, {.seed = request.seed, .check = false, .jobs = jobs_of(request)}, log);
     if (const auto* reason = std::get_if<NotSolid>(&outcome)) return *reason;
-    input->hull = std::get<Hull>(std::move(outcome));
+    Hull& hull = input->hull.emplace(std::get<Hull>(std::move(outcome)));
     log.skip("Chebyshev center", "any interior point serves this engine");
-    log.skip("exact planes",
-             "formed for the remaining halfspaces, and where doubles cannot decide");
+    if (request.search.kind != SearchKind::None) {
+      // A search names facets by their ids, and visits them in this order.
+      log.run("exact planes", [&] { hull.facets = in_canonical_order(hull, *points); });
+    } else {
+      log.skip("exact planes",
+               "formed for the remaining halfspaces, and where doubles cannot decide");
+    }
     input->dual.emplace(log.run("dual", [&] { return FastDual::of(*input->hull, *points); }));
     return input;
   }

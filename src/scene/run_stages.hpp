@@ -27,6 +27,12 @@ struct RunInput {
 
   /// Of the input's hull.
   std::size_t halfspaces() const { return dual ? dual->size() : solid->dual.halfspaces.size(); }
+  /// One of them.
+  const Halfspace& halfspace(HalfspaceId i) const {
+    return solid ? solid->dual.halfspaces[i.index()] : dual->exact(i);
+  }
+  /// A point strictly inside all of them.
+  const RationalPoint& inside() const { return solid ? center : dual->center(); }
 
   const Shape& shape;
   std::optional<Hull> hull;    ///< Of points, if their exact planes are not needed.

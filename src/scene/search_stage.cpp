@@ -19,16 +19,15 @@ namespace {
 // The solids that the moves of a search lead to, each from its planes alone.
 class SolidsOfMoves {
  public:
-  SolidsOfMoves(const DualHull& dual, const RationalPoint& center, std::vector<HalfspaceId> start,
+  SolidsOfMoves(const RunInput& input, std::vector<HalfspaceId> start,
                 const std::vector<Move>& moves)
-      : dual_(dual), center_(center), start_(std::move(start)), moves_(moves) {}
+      : input_(input), start_(std::move(start)), moves_(moves) {}
 
   // After so many moves. @throws Error Internal if the planes do not bound it.
   Polytope after(std::size_t count) const;
 
  private:
-  const DualHull& dual_;
-  const RationalPoint& center_;
+  const RunInput& input_;
   const std::vector<HalfspaceId> start_;  // what the removals left
   const std::vector<Move>& moves_;
 };
@@ -36,10 +35,10 @@ class SolidsOfMoves {
 Polytope SolidsOfMoves::after(std::size_t count) const {
   std::vector<Halfspace> planes;
   for (const HalfspaceId i : after_moves(start_, std::span(moves_).first(count))) {
-    planes.push_back(dual_.halfspaces[i.index()]);
+    planes.push_back(input_.halfspace(i));
   }
   try {
-    const HalfspaceDual dual = dual_of(planes, center_);
+    const HalfspaceDual dual = dual_of(planes, input_.inside());
     if (dual.redundant.empty()) return to_polytope(dual.dual.halfspaces, dual.dual.triangles);
   } catch (const Error& error) {
     if (error.code() != ErrorCode::InvalidArgument) throw;
@@ -169,19 +168,28 @@ void require_sensible_search(const SimplifyRequest& request) {
   }
 }
 
+namespace {
+
+SearchRun search(const RunInput& input, std::span<const DualTriangle> start,
+                 const SearchOptions& options) {
+  if (input.hull) return search_from(*input.dual, *input.hull, start, options);
+  const auto by_kind = options.request.kind == SearchKind::Optimal
+                           ? search_optimal_from
+                           : static_cast<decltype(search_optimal_from)*>(search_from);
+  return by_kind(input.solid->dual, input.dual ? &*input.dual : nullptr, input.solid->polytope,
+                 input.center, start, options);
+}
+
+}  // namespace
+
 RunEnd search_further(RunEnd end, const RunInput& input, const SimplifyRequest& request,
                       StageLog& log) {
-  const DualHull& dual = input.solid->dual;
-  const HalfspaceIds start = left_by(end, dual.halfspaces.size());
+  const HalfspaceIds start = left_by(end, input.halfspaces());
   const SearchOptions options = search_options(request, input);
-  SearchRun found = log.run(stage_of(request.search), [&] {
-    const auto search =
-        request.search.kind == SearchKind::Optimal ? search_optimal_from : search_from;
-    return search(dual, input.dual ? &*input.dual : nullptr, input.solid->polytope, input.center,
-                  end.triangles, options);
-  });
+  SearchRun found =
+      log.run(stage_of(request.search), [&] { return search(input, end.triangles, options); });
   end.search = log.run("search result", [&] {
-    const SolidsOfMoves solids(dual, input.center, start, found.moves);
+    const SolidsOfMoves solids(input, start, found.moves);
     Polytope last = follow(found.moves, solids, end.polytope, request);
     SearchResult result = measure_search(found, solids, end.polytope, last, request);
     end.polytope = std::move(last);

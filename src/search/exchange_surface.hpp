@@ -83,6 +83,11 @@ class ExchangeSurface {
                                     const Polytope& input, const RationalPoint& center,
                                     std::span<const DualTriangle> start,
                                     const SearchOptions& options);
+/// The same by the filtered engine alone, without the exact planes of the whole input.
+/// @param dual  Of `hull`, whose facets are in canonical order.
+[[nodiscard]] SearchRun search_from(const FastDual& dual, const Hull& hull,
+                                    std::span<const DualTriangle> start,
+                                    const SearchOptions& options);
 /// As search_optimal().
 [[nodiscard]] SearchRun search_optimal_from(const DualHull& dual, const FastDual* fast,
                                             const Polytope& input, const RationalPoint& center,

@@ -16,19 +16,20 @@
 namespace convexact {
 namespace {
 
-// For each facet those that share an edge with it, ascending.
-std::vector<HalfspaceIds> neighbours_of(const Polytope& input) {
+// For each facet those that share an edge with it, ascending. Corners are numbers below `corners`.
+std::vector<HalfspaceIds> neighbours_of(const std::vector<std::vector<std::uint32_t>>& facets,
+                                        std::size_t corners) {
   std::vector<std::uint32_t> tail, head, facet;  // of each half-edge
-  for (std::uint32_t f = 0; f < input.facets.size(); ++f) {
-    const auto& corners = input.facets[f];
-    for (std::size_t c = 0; c < corners.size(); ++c) {
-      tail.push_back(corners[c]);
-      head.push_back(corners[c + 1 < corners.size() ? c + 1 : 0]);
+  for (std::uint32_t f = 0; f < facets.size(); ++f) {
+    const auto& around = facets[f];
+    for (std::size_t c = 0; c < around.size(); ++c) {
+      tail.push_back(around[c]);
+      head.push_back(around[c + 1 < around.size() ? c + 1 : 0]);
       facet.push_back(f);
     }
   }
-  const std::vector<std::uint32_t> twins = match_twins(tail, head, input.vertices.size());
-  std::vector<HalfspaceIds> lists(input.facets.size());
+  const std::vector<std::uint32_t> twins = match_twins(tail, head, corners);
+  std::vector<HalfspaceIds> lists(facets.size());
   for (std::size_t h = 0; h < twins.size(); ++h) lists[facet[h]].emplace_back(facet[twins[h]]);
   for (HalfspaceIds& list : lists) std::sort(list.begin(), list.end());
   return lists;
@@ -89,7 +90,8 @@ HalfspaceIds Surroundings::away_from(HalfspaceId from, std::uint64_t steps) {
 
 class ExchangeSearch {
  public:
-  ExchangeSearch(std::unique_ptr<ExchangeSurface> surface, const Polytope& input,
+  // neighbours: of each facet of the input
+  ExchangeSearch(std::unique_ptr<ExchangeSurface> surface, std::vector<HalfspaceIds> neighbours,
                  HalfspaceIds start, const SearchOptions& options);
   SearchRun run();
 
@@ -130,11 +132,12 @@ class ExchangeSearch {
   SearchRun run_;
 };
 
-ExchangeSearch::ExchangeSearch(std::unique_ptr<ExchangeSurface> surface, const Polytope& input,
-                               HalfspaceIds start, const SearchOptions& options)
+ExchangeSearch::ExchangeSearch(std::unique_ptr<ExchangeSurface> surface,
+                               std::vector<HalfspaceIds> neighbours, HalfspaceIds start,
+                               const SearchOptions& options)
     : options_(options),
       watch_(options.watch),
-      surroundings_(neighbours_of(input)),
+      surroundings_(std::move(neighbours)),
       surface_(std::move(surface)),
       zero_(zero_of(options.cost)),
       random_(options.seed),
@@ -322,15 +325,17 @@ SearchRun search_from(const DualHull& dual, const FastDual* fast, const Polytope
                       const SearchOptions& options) {
   switch (options.engine) {
     case Engine::Exact:
-      return ExchangeSearch(make_exact_surface(dual, start, center, options.cost), input,
-                            ids_in(start), options)
+      return ExchangeSearch(make_exact_surface(dual, start, center, options.cost),
+                            neighbours_of(input.facets, input.vertices.size()), ids_in(start),
+                            options)
           .run();
     case Engine::Filtered: {
       if (fast == nullptr) {
         const FastDual made = FastDual::of(dual, center);
         return search_from(dual, &made, input, center, start, options);
       }
-      return ExchangeSearch(make_filtered_surface(*fast, start, options.cost), input, ids_in(start),
+      return ExchangeSearch(make_filtered_surface(*fast, start, options.cost),
+                            neighbours_of(input.facets, input.vertices.size()), ids_in(start),
                             options)
           .run();
     }
@@ -339,6 +344,14 @@ SearchRun search_from(const DualHull& dual, const FastDual* fast, const Polytope
   }
   throw Error(ErrorCode::InvalidArgument,
               "a search compares exactly: it needs the exact or the filtered engine");
+}
+
+SearchRun search_from(const FastDual& dual, const Hull& hull, std::span<const DualTriangle> start,
+                      const SearchOptions& options) {
+  const std::size_t corners = hull.vertices.back().index() + 1;
+  return ExchangeSearch(make_filtered_surface(dual, start, options.cost),
+                        neighbours_of(polygons_of(hull.facets), corners), ids_in(start), options)
+      .run();
 }
 
 }  // namespace convexact

@@ -35,6 +35,13 @@ std::set<Halfspace> planes_of(const SimplifyResult& result) {
   return {result.solid.exact.planes.begin(), result.solid.exact.planes.end()};
 }
 
+// The mean of points that span a volume.
+RationalPoint interior_of(const std::vector<Point>& points) {
+  RationalPoint sum = RationalPoint::Zero();
+  for (const Point& p : points) sum += to_rational(p);
+  return sum / Rational(points.size());
+}
+
 double ratio(const SimplifyResult& result) {
   return (result.output_volume.bounds / result.input_volume.bounds).high_double();
 }
@@ -130,6 +137,37 @@ TEST_CASE("search: the order of points, points inside, motions and scales change
       std::set<Halfspace> carried;
       for (const Halfspace& plane : expected) carried.insert(moved(plane));
       CHECK(planes_of(simplified(moved(points), request)) == carried);
+    }
+  }
+}
+
+// Without a center the filtered engine reads its dual off the hull of the points, and forms no
+// exact plane that it does not need; with one it has exact planes, as the exact engine has.
+TEST_CASE("search: the same moves with and without the exact planes of the input" * sweep) {
+  const std::vector<std::vector<Point>> inputs{shapes::in_ball(60, 3), shapes::on_sphere(50, 2),
+                                               shapes::lattice(60, 7, 4), shapes::antiprism(11),
+                                               shapes::icosahedron()};
+  for (std::size_t k = 0; k < inputs.size(); ++k) {
+    for (const CostMeasure measure : kMeasures) {
+      CAPTURE(k);
+      CAPTURE(static_cast<int>(measure));
+      SimplifyRequest request = request_for(6, SearchKind::Local, 20);
+      request.cost = measure;
+      request.verify = VerifyLevel::Local;
+      const SimplifyResult lean = simplified(inputs[k], request);
+      request.center = interior_of(inputs[k]);
+      const SimplifyResult planned = simplified(inputs[k], request);
+      request.engine = Engine::Exact;
+      const SimplifyResult exact = simplified(inputs[k], request);
+      for (const SimplifyResult* other : {&planned, &exact}) {
+        CHECK(lean.solid.exact.planes == other->solid.exact.planes);
+        CHECK(lean.search->tried == other->search->tried);
+        REQUIRE(lean.search->moves.size() == other->search->moves.size());
+        for (std::size_t m = 0; m < lean.search->moves.size(); ++m) {
+          CHECK(lean.search->moves[m].removed == other->search->moves[m].removed);
+          CHECK(lean.search->moves[m].inserted == other->search->moves[m].inserted);
+        }
+      }
     }
   }
 }
