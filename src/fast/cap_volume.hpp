@@ -141,6 +141,7 @@ class LawrenceSum {
     smallest_ = std::min(smallest_, std::abs(leading(determinant)));
   }
 
+  // As long as for the longest ring so far.
   std::vector<Scalar> base_;            // D(i, m, m + 1)
   std::vector<Scalar> first_, second_;  // of each triangle D(i, low, middle), D(i, middle, high)
   double smallest_ = 0;                 // of all |D|
@@ -150,10 +151,12 @@ class LawrenceSum {
 
 template <class Scalar>
 void LawrenceSum<Scalar>::start(const RingGeometry<Scalar>& ring) {
-  const std::size_t k = ring.arm.size();
-  base_.resize(k);
-  first_.resize(k);
-  second_.resize(k);
+  const std::size_t k = ring.size;
+  if (k > base_.size()) {
+    base_.resize(k);
+    first_.resize(k);
+    second_.resize(k);
+  }
   smallest_ = std::numeric_limits<double>::infinity();
   for (std::size_t m = 0; m < k; ++m) {
     base_[m] = dot(ring.side[m], ring.center);
@@ -196,7 +199,7 @@ CostBounds<Scalar> LawrenceSum<Scalar>::run(const RingGeometry<Scalar>& ring,
   for (std::size_t t = 0; t < triangles.size(); ++t) {
     const Scalar height = height_and_edges(ring, triangles[t], t);
     const auto [low, middle, high, parent] = triangles[t];
-    const Scalar above = parent == kNone                ? base_.back()
+    const Scalar above = parent == kNone                ? base_[ring.size - 1]
                          : triangles[parent].low == low ? -first_[parent]
                                                         : -second_[parent];
     const Scalar vertex = first_[t] + second_[t] + above - height;
@@ -239,7 +242,7 @@ class CapCost {
     CostBounds<Scalar> quick = quick_.run(ring, triangles, unit);
     if (quick.kind != Boundedness::Doubtful) return quick;
     IntervalDeterminants<Scalar> determinants(ring, unit);
-    const auto k = static_cast<std::uint32_t>(ring.arm.size());
+    const auto k = static_cast<std::uint32_t>(ring.size);
     return determinants.widened(sure_.six_times(k, triangles, determinants));
   }
   /// With the volume as computed, by the formula that suits it. A bounded quick sum is stable.
@@ -250,7 +253,7 @@ class CapCost {
       return {proven, quick_.value()};
     }
     RoundedDeterminants<Scalar> determinants(ring);
-    const auto k = static_cast<std::uint32_t>(ring.arm.size());
+    const auto k = static_cast<std::uint32_t>(ring.size);
     return {proven, rounded_.six_times(k, triangles, determinants)};
   }
 

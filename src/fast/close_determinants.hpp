@@ -38,7 +38,7 @@ class CloseDeterminants : public CapRanges<DoubleDouble> {
   /// @param ids  Of the ring.
   CloseDeterminants(const RingGeometry<DoubleDouble>& ring, HalfspaceId center,
                     std::span<const HalfspaceId> ids, const DualSigns& signs)
-      : CapRanges(ring.arm.size(), Roundoff<DoubleDouble>::kUnit),
+      : CapRanges(ring.size, Roundoff<DoubleDouble>::kUnit),
         ring_(ring),
         center_(center),
         ids_(ids),

@@ -18,17 +18,20 @@ namespace convexact {
 template <class Scalar>
 struct RingGeometry {
   Triple<Scalar> center;
-  std::vector<Triple<Scalar>> point, arm, side;
-  Extent extent;  ///< Of the arms.
+  std::size_t size = 0;                          ///< How many points there are.
+  std::vector<Triple<Scalar>> point, arm, side;  ///< As long as the longest ring so far.
+  Extent extent;                                 ///< Of the arms.
 
   /// @param coordinates  From an id to Triple<Scalar>.
   template <class Coordinates, class Id, class Ids>
   void load(Id i, const Ids& ring, const Coordinates& coordinates) {
     center = coordinates(i);
-    const std::size_t k = ring.size();
-    point.resize(k);
-    arm.resize(k);
-    side.resize(k);
+    const std::size_t k = size = ring.size();
+    if (k > point.size()) {
+      point.resize(k);
+      arm.resize(k);
+      side.resize(k);
+    }
     extent = Extent();
     for (std::size_t m = 0; m < k; ++m) {
       point[m] = coordinates(ring[m]);
@@ -60,10 +63,10 @@ class RingTriangulator {
   template <class Beyond>
   void run(std::uint32_t k, Beyond& beyond, std::uint64_t seed,
            std::vector<RingTriangle>& triangles) {
-    triangles.clear();
     if (k <= kShortRing) {
       wrap(k, beyond, triangles);
     } else {
+      triangles.clear();
       Random random(seed);
       insert_all(k, beyond, random);
       as_tree(k, triangles);

@@ -165,7 +165,7 @@ class IntervalDeterminants : public CapRanges<Scalar> {
 
   /// @param unit  As of Roundoff.
   IntervalDeterminants(const RingGeometry<Scalar>& ring, double unit)
-      : CapRanges<Scalar>(ring.arm.size(), unit),
+      : CapRanges<Scalar>(ring.size, unit),
         ring_(ring),
         unit_(unit),
         arm_error_(ring.arm_filter(unit).height),
@@ -174,7 +174,7 @@ class IntervalDeterminants : public CapRanges<Scalar> {
   // D by the bounds of their triangles alone: in a long ring, the bound for all of it would exceed
   // a small D.
   Number base(std::uint32_t m) {
-    const std::size_t next = m + 1 == ring_.arm.size() ? 0 : m + 1;
+    const std::size_t next = m + 1 == ring_.size ? 0 : m + 1;
     return positive(dot(ring_.side[m], ring_.center), ring_.arm[m], ring_.arm[next]);
   }
   Number slack(std::uint32_t m) const {

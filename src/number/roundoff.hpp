@@ -2,7 +2,8 @@
 // roundoff.hpp - the error of one operation on doubles: its bound, sums and products with it, and
 // intervals that hold it.
 #pragma once
-#include <cmath>
+#include <bit>
+#include <cstdint>
 #include <limits>
 
 namespace convexact {
@@ -47,12 +48,15 @@ constexpr TwoTerms two_product(double x, double y) {
 }
 
 /// One double further down or up: the most that a single rounding may have changed.
-[[nodiscard]] inline double next_below(double x) {
-  return std::nextafter(x, -std::numeric_limits<double>::infinity());
-}
+/// As std::nextafter() towards an infinity, which is a call of a function: the bits of a double are
+/// in the order of its size.
 [[nodiscard]] inline double next_above(double x) {
-  return std::nextafter(x, std::numeric_limits<double>::infinity());
+  if (x == 0) return std::numeric_limits<double>::denorm_min();
+  if (!(x < std::numeric_limits<double>::infinity())) return x;  // nor is NaN
+  const auto bits = std::bit_cast<std::uint64_t>(x);
+  return std::bit_cast<double>(x > 0 ? bits + 1 : bits - 1);
 }
+[[nodiscard]] inline double next_below(double x) { return -next_above(-x); }
 
 /// lower <= x <= upper for some x >= 0. The ends of a product or quotient are rounded to nearest:
 /// after n operations in a row they have to be moved apart by n roundings.

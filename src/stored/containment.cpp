@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numeric>
 #include <optional>
@@ -149,11 +150,13 @@ class OutsideSearch {
  private:
   CoordinateBox box_of(std::size_t first, std::size_t last) const {
     const auto range = [&](const std::vector<double>& x, double& low, double& high) {
-      const auto begin = x.begin() + static_cast<std::ptrdiff_t>(first);
-      const auto [least, most] =
-          std::minmax_element(begin, x.begin() + static_cast<std::ptrdiff_t>(last));
-      low = *least;
-      high = *most;
+      double least = x[first], most = x[first];
+      for (std::size_t j = first; j < last; ++j) {
+        least = std::min(least, x[j]);
+        most = std::max(most, x[j]);
+      }
+      low = least;
+      high = most;
     };
     CoordinateBox box;
     range(doubles_.x, box.low[0], box.high[0]);
@@ -217,8 +220,9 @@ class OutsideSearch {
     std::size_t first, last;
     double largest;
     CoordinateBox box;
-    std::vector<bool> outside;
-    std::vector<std::optional<HomogeneousPoint>> integers;  // of those that need them
+    std::array<bool, kBlock> outside = {};
+    std::vector<std::optional<HomogeneousPoint>> integers = {};  // of those that need them
+    bool is_clear = true;                                        // whether none is outside
   };
 
   void compare(std::size_t i, Block& block) const {
@@ -228,14 +232,14 @@ class OutsideSearch {
     for (std::size_t j = block.first; j < block.last; ++j) {
       const std::size_t own = j - block.first;
       if (block.outside[own] || surely_inside(near, j)) continue;
+      block.integers.resize(kBlock);
       block.outside[own] = is_outside(halfspaces_.exact()[i], ids_[j], block.integers[own]);
+      block.is_clear = block.is_clear && !block.outside[own];
     }
   }
 
   void search_block(std::size_t first, std::size_t last, std::vector<PointId>& found) const {
-    Block block{first, last, doubles_.largest_of(first, last), box_of(first, last), {}, {}};
-    block.outside.resize(last - first);
-    block.integers.resize(last - first);
+    Block block{first, last, doubles_.largest_of(first, last), box_of(first, last)};
     if (halfspaces_.groups().empty()) {
       for (std::size_t i = 0; i < halfspaces_.near().size(); ++i) compare(i, block);
     }
@@ -243,7 +247,7 @@ class OutsideSearch {
       if (group.surely_hold(block.box, absolute_)) continue;
       for (const std::uint32_t i : group.members) compare(i, block);
     }
-    for (std::size_t j = first; j < last; ++j) {
+    for (std::size_t j = first; j < last && !block.is_clear; ++j) {
       if (block.outside[j - first]) found.push_back(ids_[j]);
     }
   }
