@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "convexact/number.hpp"
+#include "number/roundoff.hpp"
 #include "property.hpp"
 using namespace convexact;
 
@@ -93,4 +94,24 @@ TEST_CASE("to_float: rounds once") {
   CHECK(to_float(to_rational(1e300), Rounding::Nearest) == std::numeric_limits<float>::infinity());
   CHECK(to_float(scale_by_power_of_two(Rational(1), -149), Rounding::Nearest) ==
         std::numeric_limits<float>::denorm_min());
+}
+
+TEST_CASE("next_above, next_below: as nextafter() has it, for doubles of every kind") {
+  const auto agree = [](double x) {
+    const auto bits = [](double y) { return std::bit_cast<std::uint64_t>(y); };
+    return bits(next_above(x)) == bits(std::nextafter(x, kInf)) &&
+           bits(next_below(x)) == bits(std::nextafter(x, -kInf));
+  };
+  for (const double x : {0.0, kMin, std::numeric_limits<double>::min(), 1.0, 0x1p52, 0x1p-1022,
+                         std::nextafter(1.0, 0.0), kMax, kInf}) {
+    CAPTURE(x);
+    CHECK(agree(x));
+    CHECK(agree(-x));
+  }
+  for (std::uint64_t k = 0; k < 4096; ++k) {  // every exponent, with either sign
+    CHECK(agree(finite_double(k << 52)));
+    CHECK(agree(finite_double((k << 52) + 12345)));
+  }
+  CHECK(std::isnan(next_above(std::numeric_limits<double>::quiet_NaN())));
+  CHECK(std::isnan(next_below(std::numeric_limits<double>::quiet_NaN())));
 }
