@@ -7,7 +7,6 @@
 
 #include "convexact/error.hpp"
 #include "fast/signs.hpp"
-#include "task/parallel.hpp"
 
 namespace convexact {
 
@@ -113,39 +112,6 @@ void StepCheck::check_rim(const ClaimedStep& step) const {
                        dot(normal, dual_.near(step.across[m]) - origin)),
             "every edge of the ring is convex");
   }
-}
-
-void StepChecks::add(const ClaimedStep& step) {
-  if (jobs_ == 1) return checkers_[0].check(step);
-  waiting_.push_back({step.removed, ids_.size(), step.ring.size(), step.across.size(),
-                      triangles_.size(), step.triangles.size()});
-  ids_.insert(ids_.end(), step.ring.begin(), step.ring.end());
-  ids_.insert(ids_.end(), step.across.begin(), step.across.end());
-  triangles_.insert(triangles_.end(), step.triangles.begin(), step.triangles.end());
-  constexpr std::size_t kMost = 8192;
-  if (waiting_.size() == kMost) finish();
-}
-
-void StepChecks::finish() {
-  constexpr std::size_t kWorthAThread = 512;
-  const std::size_t count = waiting_.size(),
-                    threads = std::clamp<std::size_t>(count / kWorthAThread, 1, jobs_);
-  while (checkers_.size() < threads) checkers_.emplace_back(dual_);
-  for_each_in_parallel(threads, threads, [&](std::size_t thread) {
-    const std::size_t end = count * (thread + 1) / threads;
-    for (std::size_t k = count * thread / threads; k < end; ++k) checkers_[thread].check(claim(k));
-  });
-  waiting_.clear();
-  ids_.clear();
-  triangles_.clear();
-}
-
-ClaimedStep StepChecks::claim(std::size_t k) const {
-  const Waiting& step = waiting_[k];
-  const std::span<const HalfspaceId> ids(ids_);
-  return {step.removed, ids.subspan(step.first_id, step.ring),
-          ids.subspan(step.first_id + step.ring, step.across),
-          std::span(triangles_).subspan(step.first_triangle, step.triangles)};
 }
 
 namespace {

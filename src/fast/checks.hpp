@@ -46,34 +46,6 @@ class StepCheck {
   std::vector<std::uint64_t> edges_;
 };
 
-/// Checks many steps: one thread each step at once; several, thousands together, since no check
-/// depends on another. What they are told is copied until then.
-class StepChecks {
- public:
-  StepChecks(const FastDual& dual, std::size_t jobs)
-      : dual_(dual), jobs_(jobs), checkers_{StepCheck(dual)} {}
-
-  /// @throws Error Internal, as StepCheck does: of this step or of an earlier one.
-  void add(const ClaimedStep& step);
-  /// Checks what waits. @throws Likewise.
-  void finish();
-
- private:
-  // A step that waits: its ring and what lies across are in ids_, one after the other.
-  struct Waiting {
-    HalfspaceId removed;
-    std::size_t first_id, ring, across, first_triangle, triangles;
-  };
-  ClaimedStep claim(std::size_t k) const;
-
-  const FastDual& dual_;
-  std::size_t jobs_;
-  std::vector<StepCheck> checkers_;  // by thread
-  std::vector<Waiting> waiting_;
-  std::vector<HalfspaceId> ids_;
-  std::vector<DualTriangle> triangles_;
-};
-
 /// Whether the triangles, counter-clockwise from outside, are the surface of the convex hull of
 /// their corners, and the center is strictly inside: then the planes of the corners bound a solid
 /// whose vertices and edges they describe. It does not matter how the triangles were found.

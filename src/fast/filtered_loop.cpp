@@ -59,7 +59,7 @@ FilteredLoop::FilteredLoop(const FastDual& dual, const SimplifyOptions& options,
       stale_(dual.size(), false),
       terms_(options.cost == CostMeasure::Volume ? 0 : dual.size()),
       tie_(dual.size()),
-      checks_(dual, options.jobs),
+      check_(dual),
       left_(dual.size()),
       is_observed_(observer != nullptr) {
   if (options.faces < 4) throw Error(ErrorCode::InvalidArgument, "a solid has at least 4 faces");
@@ -108,7 +108,6 @@ void FilteredLoop::make(const FastStep& step, std::vector<Step>* steps) {
 }
 
 FastResult FilteredLoop::finish(StopReason stop) {
-  checks_.finish();
   result_.stop = stop;
   result_.triangles = mesh_.triangles();
   result_.survivors = mesh_.vertices();
@@ -421,7 +420,7 @@ void FilteredLoop::verify(HalfspaceId i) {
   across_.clear();
   for (const std::uint32_t h : cap_.ring().outer) across_.push_back(mesh_.apex(h));
   list_new_triangles();
-  checks_.add({i, cap_.ring().vertices, across_, new_triangles_});
+  check_.check({i, cap_.ring().vertices, across_, new_triangles_});
 }
 
 void FilteredLoop::remove(HalfspaceId i) {

@@ -145,7 +145,7 @@ class FilteredLoop {
   TieSet tie_;                                      // after choose()
   TieEvidence evidence_;                            // of the tie
   std::vector<HalfspaceId> changed_;                // rings of removals since the last choice
-  StepChecks checks_;
+  StepCheck check_;
   std::vector<HalfspaceId> across_;
   std::vector<DualTriangle> new_triangles_;
   std::size_t left_;

@@ -270,29 +270,3 @@ TEST_CASE("StepCheck: a dent that only exact numbers see") {
   CHECK(accepted == 1);
   CHECK(refused == 1);
 }
-
-TEST_CASE("StepChecks: one wrong step among thousands is refused, whatever the number of threads") {
-  const DualOfPoints solid = round_solid();
-  const std::vector<StepClaim> right = solid.right_ones();
-  // One of the first, in the middle of a block, and of the last, after two whole blocks.
-  constexpr std::size_t kSteps = 20000;
-  for (const std::size_t jobs : {1u, 2u, 3u, 8u}) {
-    CAPTURE(jobs);
-    for (const std::size_t bad : {std::size_t(1), std::size_t(12345), kSteps - 1, kSteps}) {
-      CAPTURE(bad);
-      std::string refusal;
-      try {
-        StepChecks checks(solid.dual, jobs);
-        for (std::size_t k = 0; k < kSteps; ++k) {
-          StepClaim step = right[k % right.size()];
-          if (k == bad) step.triangles.pop_back();
-          checks.add({step.removed, step.ring, step.across, step.triangles});
-        }
-        checks.finish();
-      } catch (const Error& error) {
-        refusal = error.what();
-      }
-      CHECK(says(refusal, "k - 2 triangles") == (bad < kSteps));
-    }
-  }
-}
