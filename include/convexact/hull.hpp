@@ -77,7 +77,7 @@ struct HullOptions {
   /// Points are inserted furthest first until e n log2(n) steps are spent, the rest in random
   /// order. At least 0; 0 is random order from the start.
   double furthest_first_effort = 8;
-  std::size_t jobs = 1;              ///< Threads, at least 1; the hull does not depend on them.
+  std::size_t jobs = 1;              ///< Threads, 1 to 256; the hull does not depend on them.
   Watch watch = {};                  ///< Ends it: Error Stopped.
   HullObserver* observer = nullptr;  ///< Of our lessons; null for none.
 };

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // overlay.hpp - a surface laid over convex parts: what the union of the parts leaves uncovered,
-// and the volumes of both. Every decision is exact. `jobs` are threads, at least 1, on which no
+// and the volumes of both. Every decision is exact. `jobs` are threads, 1 to 256, on which no
 // answer depends.
 #pragma once
 #include <cstddef>

@@ -135,7 +135,7 @@ class ReachLimit {
 
   /// Of each of several parts whether allows() it; up to four are asked about at the same time. The
   /// watch is told of those done.
-  /// @param jobs  Threads, at least 1, on which the answer does not depend.
+  /// @param jobs  Threads, 1 to 256, on which the answer does not depend.
   /// @throws As above.
   [[nodiscard]] std::vector<bool> allows_each(std::span<const ConvexPart> parts, std::size_t jobs,
                                               const Watch& watch = {});
@@ -146,7 +146,7 @@ class ReachLimit {
 
   /// For the hull of each list of such points: about its farthest point from the solid, up to 3% of
   /// its distance; nothing if cells alone prove that the hull is within T.
-  /// @param jobs  Threads, at least 1, on which the answer does not depend.
+  /// @param jobs  Threads, 1 to 256, on which the answer does not depend.
   /// @throws As above.
   [[nodiscard]] std::vector<std::optional<FarPlace>> farthest_of_each(
       std::span<const std::vector<Point>> parts, std::size_t jobs = 1, const Watch& watch = {});

@@ -211,7 +211,7 @@ struct SimplifyOptions {
   VerifyLevel verify = VerifyLevel::Local;
   /// Keep the evaluations of every removal; docs/proof-format.md has their use.
   bool keep_evaluations = false;
-  /// Threads for the first look at all halfspaces, at least 1; nothing depends on it. Of the
+  /// Threads for the first look at all halfspaces, 1 to 256; nothing depends on it. Of the
   /// filtered engine.
   std::size_t jobs = 1;
   /// Told after each removal of those made and of those that lead to `faces`; ends the run with

@@ -57,7 +57,7 @@ struct SimplifyRequest {
                                         ///< it.
   StoreRequest store;
   bool exact_volumes = false;  ///< As rationals too, not only their certain digits.
-  /// Threads, >= 1; as many as the machine has cores if it is not given. Nothing depends on it.
+  /// Threads, 1 to 256; as many as the machine has cores if it is not given. Nothing depends on it.
   std::optional<std::size_t> jobs = {};
   StageWatch watch = {};  ///< Reports removals as the progress of stage::kSimplify.
 };
@@ -138,7 +138,7 @@ struct HullRequest {
   bool exact_volume = false;  ///< The volume as a rational too.
   std::uint64_t seed = 1;     ///< Of every random order. The answer does not depend on it.
   StoreRequest store;
-  /// Threads, >= 1; as many as the machine has cores if it is not given. Nothing depends on it.
+  /// Threads, 1 to 256; as many as the machine has cores if it is not given. Nothing depends on it.
   std::optional<std::size_t> jobs = {};
   StageWatch watch = {};  ///< Reports facets or edges as the progress of each measure.
 };
@@ -276,7 +276,7 @@ struct InnerRequest {
   /// in any case.
   bool costs = false;
   bool mesh = false;  ///< Keep the result as a mesh in binary64.
-  /// Threads, >= 1; as many as the machine has cores if it is not given. Nothing depends on it.
+  /// Threads, 1 to 256; as many as the machine has cores if it is not given. Nothing depends on it.
   std::optional<std::size_t> jobs = {};
   StageWatch watch = {};  ///< Reports removals as the progress of stage::kSimplify.
 };

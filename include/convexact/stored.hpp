@@ -29,7 +29,7 @@ struct Growth {
 
 /// The points that lie strictly outside at least one of the halfspaces, ascending. By the
 /// definition of containment alone, without a hull, a dual or a certificate.
-/// @param jobs  Threads, at least 1, on which the answer does not depend.
+/// @param jobs  Threads, 1 to 256, on which the answer does not depend.
 /// @throws Error Stopped when the watch ends it.
 /// @par Cost  One product n.x in doubles for each halfspace and block of 128 points, if its proven
 /// error bound decides the block's box (of many halfspaces one for each 32 with neighbouring

@@ -138,12 +138,12 @@ bool keeps_record(const SimplifyRequest& request) {
          (request.record && request.engine != Engine::Float);
 }
 
-// Whether the exact planes of the whole input are not needed.
+// Whether the whole input is not needed as an exact solid.
 bool is_lean(const Shape& shape, const SimplifyRequest& request) {
-  const bool needs_polytope =
+  const bool needs_solid =
       request.center || !request.keep.empty() || request.search.kind == SearchKind::Optimal;
   return std::holds_alternative<PointSet>(shape) && !keeps_record(request) && !request.record &&
-         !needs_polytope;
+         !needs_solid;
 }
 
 }  // namespace

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 
 #include "convexact/measure.hpp"
+#include "fast/cap.hpp"
+#include "number/arithmetic.hpp"
+#include "number/precision.hpp"
 #include "search/exchange_surface.hpp"
 #include "simplify/dual_surface.hpp"
 
@@ -29,6 +32,13 @@ class ExactSurface : public ExchangeSurface {
     return *change(i, j, kNoLimit).value().exact;
   }
 
+  // The power of two next to the first one that is not zero.
+  double in_unit(const Cost& change) override {
+    const Rational size = change.enclose(kMeasureBits).high();
+    if (!exponent_ && size != 0) exponent_ = exponent_of(size);
+    return scaled_enclosure(change, exponent_.value_or(0)).lower;
+  }
+
   void exchange(HalfspaceId i, HalfspaceId j) override {
     surface_.insert(j);
     surface_.apply(surface_.removal_of(i));
@@ -43,6 +53,7 @@ class ExactSurface : public ExchangeSurface {
   std::span<const Halfspace> halfspaces_;
   DualSurface surface_;
   CostMeasure measure_;
+  std::optional<long> exponent_;  // of the unit
 };
 
 }  // namespace

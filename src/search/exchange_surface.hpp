@@ -50,6 +50,9 @@ class ExchangeSurface {
   virtual std::optional<Change> change(HalfspaceId i, HalfspaceId j, double below) = 0;
   /// The same exactly, of an exchange that leaves the solid bounded.
   virtual Cost exact_change(HalfspaceId i, HalfspaceId j) = 0;
+  /// Such a number, nearly, in the unit of Change::lower; where there are no bounds, in another
+  /// one, always the same, in which doubles hold it.
+  virtual double in_unit(const Cost& change) = 0;
   /// Makes it. Precondition: it leaves the solid bounded.
   virtual void exchange(HalfspaceId i, HalfspaceId j) = 0;
 
@@ -83,7 +86,7 @@ class ExchangeSurface {
                                     const Polytope& input, const RationalPoint& center,
                                     std::span<const DualTriangle> start,
                                     const SearchOptions& options);
-/// The same by the filtered engine alone, without the exact planes of the whole input.
+/// The same by the filtered engine alone, without an exact dual of the whole input.
 /// @param dual  Of `hull`, whose facets are in canonical order.
 [[nodiscard]] SearchRun search_from(const FastDual& dual, const Hull& hull,
                                     std::span<const DualTriangle> start,

@@ -39,6 +39,12 @@ class FilteredSurface : public ExchangeSurface {
     return difference(gained, lost);
   }
 
+  double in_unit(const Cost& change) override {
+    const CostMeasure measure = cap_.measure();
+    return scaled_enclosure(change, dual_.cost_exponent(measure)).lower *
+           cost_multiple(measure).lower;
+  }
+
   void exchange(HalfspaceId i, HalfspaceId j) override {
     insert_beside(i, j);
     cap_.prepare(i);

@@ -35,13 +35,6 @@ std::vector<HalfspaceIds> neighbours_of(const std::vector<std::vector<std::uint3
   return lists;
 }
 
-double middle_of(const Change& change) {
-  const double lower = change.exact ? change.exact->low_double() : change.lower;
-  const double upper = change.exact ? change.exact->high_double() : change.upper;
-  const double middle = lower + (upper - lower) / 2;
-  return std::isfinite(middle) ? middle : 0;
-}
-
 Cost zero_of(CostMeasure measure) {
   switch (measure) {
     case CostMeasure::Volume:
@@ -106,6 +99,7 @@ class ExchangeSearch {
   bool is_less(const Cost& a, const Cost& b) const;
   bool is_less(Exchange& a, std::optional<Exchange>& b);
   const Cost& exactly(Exchange& exchange);
+  double approximately(const Change& change);
   std::optional<Exchange> best_exchange(HalfspaceId out);
   void make(Exchange exchange);
   bool walk(bool is_kick);
@@ -164,6 +158,13 @@ const Cost& ExchangeSearch::exactly(Exchange& exchange) {
   std::optional<Cost>& exact = exchange.change.exact;
   if (!exact) exact = surface_->exact_change(exchange.out, exchange.in);
   return *exact;
+}
+
+// In the unit of the surface.
+double ExchangeSearch::approximately(const Change& change) {
+  const auto& [lower, upper, exact] = change;
+  const double value = exact ? surface_->in_unit(*exact) : lower + (upper - lower) / 2;
+  return std::isfinite(value) ? value : 0;
 }
 
 // The incumbent stays until a candidate is proven smaller, which then stays until the next one is.
@@ -260,7 +261,7 @@ bool ExchangeSearch::has_shrunk() {
 
 void ExchangeSearch::accept() {
   double change = 0;
-  for (const Exchange& exchange : since_) change += middle_of(exchange.change);
+  for (const Exchange& exchange : since_) change += approximately(exchange.change);
   run_.changes.push_back(change);
   since_.clear();
   best_triangles_ = surface_->triangles();

@@ -29,7 +29,7 @@ void for_each_in_parallel(std::size_t count, std::size_t jobs,
 void for_each_in_parallel(std::size_t count, std::size_t jobs, const Watch& watch,
                           const std::function<void(std::size_t, const Watch&)>& work);
 
-/// What `jobs` may be at most, everywhere.
+/// What `jobs` of a request may be at most.
 inline constexpr std::size_t kMostThreads = 256;
 
 /// @throws Error InvalidArgument for no thread at all, and for more than kMostThreads.
