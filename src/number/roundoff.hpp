@@ -47,9 +47,9 @@ constexpr TwoTerms two_product(double x, double y) {
   return {high, s.low * t.low - rest};
 }
 
-/// One double further down or up: the most that a single rounding may have changed.
-/// As std::nextafter() towards an infinity, which is a call of a function: the bits of a double are
-/// in the order of its size.
+/// One double further up or down: the most that a single rounding may have changed. As
+/// std::nextafter() towards an infinity, but without a call: the bits of a double are in the order
+/// of its size.
 [[nodiscard]] inline double next_above(double x) {
   if (x == 0) return std::numeric_limits<double>::denorm_min();
   if (!(x < std::numeric_limits<double>::infinity())) return x;  // nor is NaN

@@ -35,7 +35,7 @@ struct RunInput {
   const RationalPoint& inside() const { return solid ? center : dual->center(); }
 
   const Shape& shape;
-  std::optional<Hull> hull;    ///< Of points, if their exact planes are not needed.
+  std::optional<Hull> hull;    ///< Of points, if no exact solid of them is needed.
   std::optional<Solid> solid;  ///< Otherwise; then also the next two.
   RationalPoint center;
   std::vector<HalfspaceId> keep;
