@@ -142,7 +142,7 @@ def outcome(program, line, folder):
     """What a run printed, its exit code, and the files that it wrote or changed."""
     contents = lambda: {str(path.relative_to(folder)): path.read_bytes() for path in sorted(folder.rglob('*')) if path.is_file()}
     before = contents()
-    ran = subprocess.run(f'"{program}" {line}', shell=True, cwd=folder, capture_output=True, text=True, errors='replace', timeout=120,
+    ran = subprocess.run(f'"{program}" {line}', shell=True, cwd=folder, capture_output=True, text=True, errors='replace', timeout=600,
                          stdin=subprocess.DEVNULL if '<' not in line else None, env={**os.environ, 'COLUMNS': '100'})
     text = f'$ convexact {line}\nexit {ran.returncode}\n'
     for name, said in (('out', ran.stdout), ('err', ran.stderr)):

@@ -68,7 +68,7 @@ def run_all(text, program, lessons):
         pathlib.Path(folder, "bin", "convexact").symlink_to(program)
         environment = {**os.environ, "PATH": f"{folder}/bin:{os.environ['PATH']}"}
         for line, command, shown in commands(text):
-            run = subprocess.run(["bash", "-c", command], cwd=work, env=environment, text=True, timeout=60,
+            run = subprocess.run(["bash", "-c", command], cwd=work, env=environment, text=True, timeout=600,
                                  stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
             if run.returncode not in (0, 1):  # 1 is the oracle's no
                 wrong.append(f"line {line}: exit code {run.returncode}: {command}\n{run.stdout}")
@@ -102,7 +102,7 @@ def make_lessons(program, folder):
         call = call.replace("$folder", str(folder))
         if "--plane" not in call:
             call = call.replace(".html", ".json")
-        subprocess.run([program, *call.split()], cwd=ROOT, check=True, timeout=300, stdout=subprocess.DEVNULL)
+        subprocess.run([program, *call.split()], cwd=ROOT, check=True, timeout=600, stdout=subprocess.DEVNULL)
     made.update((path.stem, None) for path in folder.glob("*.html"))
     for path in sorted(folder.glob("*.json")):
         made[path.stem] = json.loads(path.read_text(encoding="utf-8"))
