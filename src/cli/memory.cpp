@@ -14,6 +14,7 @@
 #include <utility>
 
 #include "cli/command.hpp"
+#include "cli/spare_blocks.hpp"
 
 namespace convexact::cli {
 namespace {
@@ -54,14 +55,47 @@ void count(void* block, int sign) {
   std::_Exit(exit_code(ErrorCode::Stopped));
 }
 
+// A sanitizer is to see every block.
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+constexpr bool kSparesBlocks = false;
+#elif defined(__has_feature)
+constexpr bool kSparesBlocks =
+    !__has_feature(address_sanitizer) && !__has_feature(thread_sanitizer);
+#else
+constexpr bool kSparesBlocks = true;
+#endif
+
+// Of each thread, for GMP. Spare blocks count as memory in use.
+thread_local SpareBlocks spare_blocks;
+struct AtThreadEnd {
+  bool is_awaited = false;
+  ~AtThreadEnd() { spare_blocks.close(); }
+};
+thread_local AtThreadEnd at_thread_end;
+
+bool is_small(std::size_t size) { return kSparesBlocks && size <= SpareBlocks::kLargest; }
+
 void* allocate(std::size_t size) {
+  if (is_small(size)) {
+    if (void* block = spare_blocks.take(size)) return block;
+    size = SpareBlocks::rounded(size);
+  }
   void* block = is_within(Asker::Gmp, size) ? std::malloc(size) : nullptr;
   if (block == nullptr) end_process();
   count(block, 1);
   return block;
 }
 
-void* reallocate(void* old, std::size_t, std::size_t size) {
+void release(void* block, std::size_t size) {
+  if (is_small(size)) {
+    at_thread_end.is_awaited = true;  // an object of a thread begins, and so ends, by its first use
+    if (spare_blocks.keep(block, size)) return;
+  }
+  count(block, -1);
+  std::free(block);
+}
+
+void* reallocate_large(void* old, std::size_t size) {
   if (!is_within(Asker::Gmp, size)) end_process();
   count(old, -1);
   void* block = std::realloc(old, size);
@@ -70,9 +104,13 @@ void* reallocate(void* old, std::size_t, std::size_t size) {
   return block;
 }
 
-void release(void* block, std::size_t) {
-  count(block, -1);
-  std::free(block);
+void* reallocate(void* old, std::size_t old_size, std::size_t size) {
+  if (!is_small(old_size) && !is_small(size)) return reallocate_large(old, size);
+  if (SpareBlocks::are_alike(old_size, size)) return old;
+  void* block = allocate(size);
+  std::memcpy(block, old, std::min(old_size, size));
+  release(old, old_size);
+  return block;
 }
 
 }  // namespace
