@@ -2,6 +2,7 @@
 #include "fast/checks.hpp"
 
 #include <algorithm>
+#include <array>
 #include <string>
 #include <vector>
 
@@ -29,37 +30,46 @@ void StepCheck::check(const ClaimedStep& step) {
   for (const HalfspaceId r : step.ring) position_[r.index()] = kNotInRing;
 }
 
-// k - 2 triangles on the k ring vertices. Their directed edges, and those of the ring turned round,
-// are pairs of opposites, each edge there once. Then the triangles form a disk: the component that
-// the ring bounds has F triangles, at least k vertices and an Euler characteristic of at most 1, so
-// F >= k - 2. Hence F = k - 2, and there is no other component.
-// Degenerate: in a ring that visits a halfspace twice, no edge starts at the first of the two
-// places, so that place has no new triangle.
+// The triangles divide the polygon 0, 1, ..., k - 1 of the ring's places. Each of its k - 2 inner
+// places is the middle corner of one. One has the edge (0, k - 1); every other one hangs with its
+// edge (low, high) on the side (low, middle) or (middle, high) of another, and alone on that side.
+// So they form a tree, and on 2 (k - 2) - (k - 3) = k - 1 sides nothing hangs. These divide
+// 0 .. k - 1 into k - 1 parts, which are therefore the edges of the ring.
+// Degenerate: a halfspace that the ring visits twice has the second of its places; then the first
+// is the middle corner of none, or no triangle has the edge (0, k - 1).
 void StepCheck::check_disk(const ClaimedStep& step) {
-  const std::size_t k = step.ring.size();
+  const auto k = static_cast<std::uint32_t>(step.ring.size());
   require(step.triangles.size() + 2 == k, "a ring of k is closed by k - 2 triangles");
-  edges_.clear();
-  // Both directions of an edge share a key but for the lowest bit.
-  const auto add_edge = [&](std::uint64_t a, std::uint64_t b) {
-    edges_.push_back(a < b ? a << 33 | b << 1 : b << 33 | a << 1 | 1);
-  };
-  rim_owner_.assign(k, step.removed);
-  for (std::uint32_t m = 0; m < k; ++m) add_edge(m + 1 == k ? 0 : m + 1, m);
+  pieces_.assign(k, {});
   for (const DualTriangle& t : step.triangles) {
-    for (int c = 0; c < 3; ++c) {
-      const std::uint32_t a = position_[t[c].index()], b = position_[t[(c + 1) % 3].index()];
-      require(a != kNotInRing, "new triangles have their corners on the ring");
-      add_edge(a, b);
-      if (b == (a + 1 == k ? 0 : a + 1)) rim_owner_[a] = t[(c + 2) % 3];
+    std::array<std::uint32_t, 3> place;
+    for (std::size_t c = 0; c < 3; ++c) place[c] = position_[t[c].index()];
+    require(std::find(place.begin(), place.end(), kNotInRing) == place.end(),
+            "new triangles have their corners on the ring");
+    std::rotate(place.begin(), std::min_element(place.begin(), place.end()), place.end());
+    const auto [low, middle, high] = place;
+    require(low < middle && middle < high && pieces_[middle].high == 0, "every edge has two sides");
+    pieces_[middle].low = low;
+    pieces_[middle].high = high;
+  }
+  root_ = kNotInRing;
+  for (std::uint32_t middle = 1; middle + 1 < k; ++middle) {
+    Piece& piece = pieces_[middle];
+    Piece &below_high = pieces_[piece.high], &below_low = pieces_[piece.low];
+    std::uint32_t* side = nullptr;  // what hangs on it
+    if (piece.low == 0 && piece.high == k - 1) {
+      side = &root_;
+    } else if (below_high.low == piece.low) {
+      side = &below_high.at_left;
+      piece.across = below_high.high;
+    } else if (below_low.high == piece.high) {
+      side = &below_low.at_right;
+      piece.across = below_low.low;
     }
+    require(side != nullptr && *side == kNotInRing, "every edge has two sides");
+    *side = middle;
   }
-  require(std::find(rim_owner_.begin(), rim_owner_.end(), step.removed) == rim_owner_.end(),
-          "the ring bounds the new triangles");
-  // k + 3 (k - 2) edges: an even number. Sorted, the two directions of an edge are neighbours.
-  std::sort(edges_.begin(), edges_.end());
-  for (std::size_t e = 0; e < edges_.size(); e += 2) {
-    require((edges_[e] ^ edges_[e + 1]) == 1, "every edge has two sides");
-  }
+  require(root_ != kNotInRing, "the ring bounds the new triangles");
 }
 
 // One error bound for all determinants of the step, from the largest differences to its center.
@@ -77,10 +87,12 @@ bool StepCheck::is_beyond(const DualTriangle& t, HalfspaceId p, double height) c
   return signs_.height_beyond_doubles(t[0], t[1], t[2], p) == Sign::Positive;
 }
 
-// Each new triangle is a vertex of the cap: it exists, it lies on or beyond the removed plane, and
-// inside all planes of the ring. The last also says that every inner edge is convex.
+// Each new triangle is a vertex of the cap: it exists, and it lies on or beyond the removed plane.
+// Every inner edge is convex.
 void StepCheck::check_triangles(const ClaimedStep& step) const {
-  for (const DualTriangle& t : step.triangles) {
+  for (std::size_t middle = 1; middle + 1 < step.ring.size(); ++middle) {
+    const Piece& piece = pieces_[middle];
+    const DualTriangle t{step.ring[piece.low], step.ring[middle], step.ring[piece.high]};
     const Triple<double>& a = dual_.near(t[0]);
     const Triple<double> normal = cross(dual_.near(t[1]) - a, dual_.near(t[2]) - a);
     require(filter_sign(dot(normal, a), filter_.determinant) == FilterSign::Positive ||
@@ -91,12 +103,18 @@ void StepCheck::check_triangles(const ClaimedStep& step) const {
     require(
         height > filter_.height || signs_.height(t[0], t[1], t[2], step.removed) != Sign::Negative,
         "new vertices lie on or beyond the removed plane");
-    for (const HalfspaceId r : step.ring) {
-      if (r == t[0] || r == t[1] || r == t[2]) continue;
-      require(!is_beyond(t, r, dot(normal, dual_.near(r) - a)),
-              "new vertices lie inside the ring's planes");
-    }
+    if (middle == root_) continue;
+    const HalfspaceId across = step.ring[piece.across];
+    require(!is_beyond(t, across, dot(normal, dual_.near(across) - a)),
+            "every inner edge is convex");
   }
+}
+
+// The third corner of the new triangle at the edge of the ring from place m on.
+HalfspaceId StepCheck::owner_of_edge(const ClaimedStep& step, std::size_t m) const {
+  if (m + 1 == step.ring.size()) return step.ring[root_];
+  const bool is_right_side = pieces_[m].high == m + 1;
+  return step.ring[is_right_side ? pieces_[m].low : pieces_[m + 1].high];
 }
 
 // Convex across the edges of the ring, between new triangles and the old ones outside.
@@ -104,12 +122,12 @@ void StepCheck::check_rim(const ClaimedStep& step) const {
   const std::size_t k = step.ring.size();
   require(step.across.size() == k, "every edge of the ring has an outside");
   for (std::size_t m = 0; m < k; ++m) {
-    const HalfspaceId a = step.ring[m], b = step.ring[m + 1 == k ? 0 : m + 1];
-    require(step.across[m] != rim_owner_[m], "no edge is there twice");
+    const HalfspaceId a = step.ring[m], b = step.ring[m + 1 == k ? 0 : m + 1],
+                      owner = owner_of_edge(step, m), across = step.across[m];
+    require(across != owner, "no edge is there twice");
     const Triple<double>& origin = dual_.near(a);
-    const Triple<double> normal = cross(dual_.near(b) - origin, dual_.near(rim_owner_[m]) - origin);
-    require(!is_beyond({a, b, rim_owner_[m]}, step.across[m],
-                       dot(normal, dual_.near(step.across[m]) - origin)),
+    const Triple<double> normal = cross(dual_.near(b) - origin, dual_.near(owner) - origin);
+    require(!is_beyond({a, b, owner}, across, dot(normal, dual_.near(across) - origin)),
             "every edge of the ring is convex");
   }
 }

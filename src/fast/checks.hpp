@@ -27,23 +27,32 @@ class StepCheck {
       : dual_(dual), signs_(dual), position_(dual.size(), kNotInRing) {}
 
   /// @throws Error Internal, naming the check that failed.
-  /// @par Cost     O(k^2) signs for a ring of k.
+  /// @par Cost     3 k signs for a ring of k.
   void check(const ClaimedStep& step);
 
  private:
   void check_disk(const ClaimedStep& step);
   void measure(const ClaimedStep& step);
   void check_triangles(const ClaimedStep& step) const;
+  HalfspaceId owner_of_edge(const ClaimedStep& step, std::size_t m) const;
   void check_rim(const ClaimedStep& step) const;
   bool is_beyond(const DualTriangle& triangle, HalfspaceId p, double height) const;
 
   static constexpr std::uint32_t kNotInRing = 0xffffffff;
+  // A new triangle, found by its middle corner; all are places in the ring.
+  struct Piece {
+    std::uint32_t low = 0, high = 0;
+    // The third corner of the triangle on which it hangs with its edge (low, high).
+    std::uint32_t across = 0;
+    // What hangs on its sides (low, middle) and (middle, high).
+    std::uint32_t at_left = kNotInRing, at_right = kNotInRing;
+  };
   const FastDual& dual_;
   DualSigns signs_;
   PlaneFilter filter_;                   // for all dual points of the step
   std::vector<std::uint32_t> position_;  // in the ring, while a step is checked
-  std::vector<HalfspaceId> rim_owner_;   // the third corner of the new triangle at each ring edge
-  std::vector<std::uint64_t> edges_;
+  std::vector<Piece> pieces_;            // of the step
+  std::uint32_t root_ = kNotInRing;      // the piece with the edge from the ring's last place to 0
 };
 
 /// Whether the triangles, counter-clockwise from outside, are the surface of the convex hull of

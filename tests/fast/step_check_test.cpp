@@ -4,13 +4,21 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <array>
+#include <cstdint>
+#include <numeric>
+#include <set>
+#include <stdexcept>
 #include <string>
+#include <utility>
 #include <variant>
+#include <vector>
 
 #include "convexact/error.hpp"
 #include "convexact/hull.hpp"
 #include "fast/checks.hpp"
 #include "fast/mesh.hpp"
+#include "number/random.hpp"
 #include "shapes/makers.hpp"
 
 using namespace convexact;
@@ -24,6 +32,48 @@ struct StepClaim {
 };
 
 // A solid's dual, and the removals of halfspaces whose ring has four.
+bool says(const std::string& text, const std::string& part) {
+  return text.find(part) != std::string::npos;
+}
+
+// A triangle by places in a ring.
+using Places = std::array<std::uint32_t, 3>;
+
+// Every directed edge of the triangles and of the ring turned round is there once, and so is its
+// opposite: then the surface has no border, and with k - 2 triangles it is one disk.
+bool is_disk_by_definition(std::uint32_t k, const std::vector<Places>& triangles) {
+  std::set<std::pair<std::uint32_t, std::uint32_t>> edges;
+  bool is_once = triangles.size() + 2 == k;
+  const auto add = [&](std::uint32_t a, std::uint32_t b) {
+    is_once = is_once && a != b && edges.emplace(a, b).second;
+  };
+  for (std::uint32_t m = 0; m < k; ++m) add((m + 1) % k, m);
+  for (const auto& [a, b, c] : triangles) {
+    add(a, b);
+    add(b, c);
+    add(c, a);
+  }
+  return is_once && std::all_of(edges.begin(), edges.end(), [&](const auto& e) {
+           return edges.count({e.second, e.first}) == 1;
+         });
+}
+
+// Of the polygon 0, 1, ..., k - 1: ears cut off in random order, each from a random corner on.
+std::vector<Places> random_triangulation(std::uint32_t k, Random& random) {
+  std::vector<std::uint32_t> rest(k);
+  std::iota(rest.begin(), rest.end(), 0);
+  std::vector<Places> triangles;
+  while (rest.size() > 2) {
+    const std::size_t n = rest.size(), m = uniform_below(random, n);
+    Places ear{rest[(m + n - 1) % n], rest[m], rest[(m + 1) % n]};
+    std::rotate(ear.begin(), ear.begin() + static_cast<long>(uniform_below(random, 3)), ear.end());
+    triangles.insert(
+        triangles.begin() + static_cast<long>(uniform_below(random, triangles.size() + 1)), ear);
+    rest.erase(rest.begin() + static_cast<long>(m));
+  }
+  return triangles;
+}
+
 struct DualOfPoints {
   PointSet points;
   Hull hull;
@@ -44,6 +94,28 @@ struct DualOfPoints {
     } catch (const Error& error) {
       return error.what();
     }
+  }
+
+  // A halfspace with a ring of that length; nothing is said about its triangles.
+  StepClaim ring_of(std::size_t k) const {
+    const HalfEdgeMesh mesh(dual.size(), dual.triangles());
+    for (std::size_t i = 0; i < dual.size(); ++i) {
+      OneRing ring;
+      mesh.one_ring(HalfspaceId(i), ring);
+      if (ring.vertices.size() != k) continue;
+      StepClaim claim{HalfspaceId(i), ring.vertices, {}, {}};
+      for (const std::uint32_t h : ring.outer) claim.across.push_back(mesh.apex(h));
+      return claim;
+    }
+    throw std::runtime_error("no ring of that length");
+  }
+  // Whether these triangles pass the check that they form a disk, whatever else is wrong with them.
+  bool is_taken_for_disk(StepClaim claim, const std::vector<Places>& triangles) const {
+    for (const auto& [a, b, c] : triangles) {
+      claim.triangles.push_back({claim.ring[a], claim.ring[b], claim.ring[c]});
+    }
+    const std::string why = refusal(claim);
+    return !says(why, "every edge has two sides") && !says(why, "the ring bounds");
   }
 
   // By the definition: the new vertices exist and are inside the ring's planes.
@@ -83,10 +155,6 @@ struct DualOfPoints {
 };
 
 DualOfPoints round_solid() { return DualOfPoints(shapes::in_ball(40, 9)); }
-
-bool says(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
-}
 
 }  // namespace
 
@@ -152,6 +220,54 @@ TEST_CASE("StepCheck: triangles that own every edge of the ring, and are no disk
   CHECK(tried > 3);
 }
 
+TEST_CASE("StepCheck: a disk is what the definition says, of all triangles on a ring of five") {
+  const DualOfPoints solid = round_solid();
+  const StepClaim ring = solid.ring_of(5);
+  std::vector<Places> all;
+  for (std::uint32_t a = 0; a < 5; ++a) {
+    for (std::uint32_t b = a + 1; b < 5; ++b) {
+      for (std::uint32_t c = b + 1; c < 5; ++c) {
+        all.push_back({a, b, c});
+        all.push_back({a, c, b});
+      }
+    }
+  }
+  int disks = 0, differ = 0;
+  for (const Places& a : all) {
+    for (const Places& b : all) {
+      for (const Places& c : all) {
+        const bool is_disk = is_disk_by_definition(5, {a, b, c});
+        disks += is_disk;
+        differ += is_disk != solid.is_taken_for_disk(ring, {a, b, c});
+      }
+    }
+  }
+  CHECK(differ == 0);
+  CHECK(disks == 5 * 6);  // the triangulations of a pentagon, in six orders
+}
+
+TEST_CASE(
+    "StepCheck: a disk is what the definition says, of triangulations with one corner moved") {
+  const DualOfPoints solid = round_solid();
+  Random random(5);
+  int disks = 0, others = 0;
+  for (const std::uint32_t k : {4u, 6u, 7u, 8u}) {
+    const StepClaim ring = solid.ring_of(k);
+    for (int round = 0; round < 2000; ++round) {
+      std::vector<Places> triangles = random_triangulation(k, random);
+      if (round % 4 != 0) {
+        triangles[uniform_below(random, triangles.size())][uniform_below(random, 3)] =
+            static_cast<std::uint32_t>(uniform_below(random, k));
+      }
+      const bool is_disk = is_disk_by_definition(k, triangles);
+      CHECK(is_disk == solid.is_taken_for_disk(ring, triangles));
+      ++(is_disk ? disks : others);
+    }
+  }
+  CHECK(disks > 2000);
+  CHECK(others > 2000);
+}
+
 TEST_CASE("StepCheck: a cap that is open to infinity") {
   // Without a face of the cube the four around it are parallel in pairs: det = 0.
   const DualOfPoints cube(shapes::cube());
@@ -191,7 +307,7 @@ TEST_CASE("StepCheck: the triangulation whose inner edge is a dent") {
                solid.signs.height(t[0], t[1], t[2], removal.removed) != Sign::Negative;
     }
     if (!exists || solid.is_right(removal)) continue;
-    CHECK(says(solid.refusal(removal), "inside the ring's planes"));
+    CHECK(says(solid.refusal(removal), "every inner edge is convex"));
     ++tried;
   }
   CHECK(tried > 0);
@@ -262,7 +378,7 @@ TEST_CASE("StepCheck: a dent that only exact numbers see") {
         StepCheck(dual).check({HalfspaceId(i), v, across, fill});
         ++accepted;
       } catch (const Error& error) {
-        CHECK(says(error.what(), "inside the ring's planes"));
+        CHECK(says(error.what(), "every inner edge is convex"));
         ++refused;
       }
     }
