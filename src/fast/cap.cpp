@@ -283,47 +283,73 @@ Interval<double> scaled_enclosure(const Cost& cost, long exponent) {
           to_double(scale_by_power_of_two(value.high(), -exponent), Rounding::Up)};
 }
 
-CostBounds<double> six_times_volume(const FastDual& dual) {
-  return six_times_volume(dual, HalfEdgeMesh(dual.size(), dual.triangles()));
+namespace {
+
+// Six times the volume of the cone from the center over facet i, in the caller's units. The row of
+// i appears once more below than above, and the apex lies at slack w_i instead of 1.
+Rational six_times_cone(const FastDual& dual, HalfspaceId i, const OneRing& ring) {
+  ExactDeterminants determinants(dual, i, ring.vertices);
+  ExactDeterminants::Sum cone;
+  add_cone(length(ring), determinants, cone);
+  return cone.total() * -dual.exact(i)(dual.center());
 }
 
-CostBounds<double> six_times_volume(const FastDual& dual, const HalfEdgeMesh& mesh) {
+// Of the cones over all facets the sum of those that doubles enclose to a share of 2^-21. The
+// others are listed.
+Interval<double> cones_in_doubles(const FastDual& dual, const HalfEdgeMesh& mesh,
+                                  std::vector<HalfspaceId>& others) {
   IntervalDeterminants<double>::Sum sum;
   OneRing ring;
   RingGeometry<double> geometry;
   std::size_t terms = 0;
-  bool certain = true;
   for (const HalfspaceId i : mesh.vertices()) {
     mesh.one_ring(i, ring);
     geometry.load(i, ring.vertices, [&](HalfspaceId v) { return dual.near(v); });
     IntervalDeterminants<double> determinants(geometry, Roundoff<double>::kUnit);
-    add_cone(length(ring), determinants, sum);
-    terms += ring.vertices.size();
-    certain = certain && determinants.is_certain();
+    IntervalDeterminants<double>::Sum cone;
+    add_cone(length(ring), determinants, cone);
+    const auto& [lower, upper] = cone.total;
+    if (determinants.is_certain() && upper - lower <= 0x1p-21 * upper) {
+      sum.add(cone.total);
+      terms += ring.vertices.size();
+    } else {
+      others.push_back(i);
+    }
   }
-  if (!certain) return CostBounds<double>::doubtful();
   // As for a cap, with all cones in one sum.
   const double slop = 2 * (16 + 2 * static_cast<double>(terms)) * Roundoff<double>::kUnit;
   const double tiny = ExponentRange<double>::kVolumeUnderflow;
-  return {Boundedness::Bounded, std::max(sum.total.lower * (1 - slop) - tiny, 0.0),
-          sum.total.upper * (1 + slop) + tiny};
+  return {std::max(sum.total.lower * (1 - slop) - tiny, 0.0), sum.total.upper * (1 + slop) + tiny};
+}
+
+Rational exact_cones(const FastDual& dual, const HalfEdgeMesh& mesh,
+                     std::span<const HalfspaceId> bases) {
+  std::vector<Rational> cones;
+  OneRing ring;
+  for (const HalfspaceId i : bases) {
+    mesh.one_ring(i, ring);
+    cones.push_back(six_times_cone(dual, i, ring));
+  }
+  return balanced_sum(std::move(cones));
+}
+
+}  // namespace
+
+Interval<double> six_times_volume(const FastDual& dual, const HalfEdgeMesh& mesh) {
+  std::vector<HalfspaceId> others;
+  const Interval<double> sure = cones_in_doubles(dual, mesh, others);
+  if (others.empty()) return sure;
+  const Rational rest =
+      scale_by_power_of_two(exact_cones(dual, mesh, others), -dual.volume_exponent());
+  return {next_below(sure.lower + to_double(rest, Rounding::Down)),
+          next_above(sure.upper + to_double(rest, Rounding::Up))};
+}
+
+Interval<double> six_times_volume(const FastDual& dual) {
+  return six_times_volume(dual, HalfEdgeMesh(dual.size(), dual.triangles()));
 }
 
 namespace {
-
-Rational volume_of(const FastDual& dual, const HalfEdgeMesh& mesh) {
-  std::vector<Rational> cones;
-  OneRing ring;
-  for (const HalfspaceId i : mesh.vertices()) {
-    mesh.one_ring(i, ring);
-    ExactDeterminants determinants(dual, i, ring.vertices);
-    ExactDeterminants::Sum cone;
-    add_cone(length(ring), determinants, cone);
-    // The row of i appears once more below than above, and the apex lies at slack w_i instead of 1.
-    cones.push_back(cone.total() * -dual.exact(i)(dual.center()));
-  }
-  return Rational(balanced_sum(std::move(cones)) / 6);
-}
 
 // Facets as bases of caps: the area of each, or the edges to neighbours of a higher id.
 Cost metric_of(const FastDual& dual, const HalfEdgeMesh& mesh, CostMeasure measure) {
@@ -354,8 +380,9 @@ Cost metric_of(const FastDual& dual, const HalfEdgeMesh& mesh, CostMeasure measu
 Cost exact_measure(const FastDual& dual, std::span<const DualTriangle> triangles,
                    CostMeasure measure) {
   const HalfEdgeMesh mesh(dual.size(), triangles);
-  return measure == CostMeasure::Volume ? Cost(volume_of(dual, mesh))
-                                        : metric_of(dual, mesh, measure);
+  return measure == CostMeasure::Volume
+             ? Cost(Rational(exact_cones(dual, mesh, mesh.vertices()) / 6))
+             : metric_of(dual, mesh, measure);
 }
 
 }  // namespace convexact

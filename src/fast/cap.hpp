@@ -106,9 +106,10 @@ class FilteredCap {
 [[nodiscard]] Interval<double> scaled_enclosure(const Cost& cost, long exponent);
 
 /// Six times the volume of the solid whose dual hull the mesh is, in units of
-/// 2^dual.volume_exponent(); without a mesh, of the initial solid.
-[[nodiscard]] CostBounds<double> six_times_volume(const FastDual& dual, const HalfEdgeMesh& mesh);
-[[nodiscard]] CostBounds<double> six_times_volume(const FastDual& dual);
+/// 2^dual.volume_exponent(), to a share of 2^-20; without a mesh, of the initial solid.
+/// @par Cost  Linear, in rationals only where doubles are too short.
+[[nodiscard]] Interval<double> six_times_volume(const FastDual& dual, const HalfEdgeMesh& mesh);
+[[nodiscard]] Interval<double> six_times_volume(const FastDual& dual);
 /// Volume, area or mean width of the solid whose dual hull the triangles are, exactly, in the
 /// caller's units.
 [[nodiscard]] Cost exact_measure(const FastDual& dual, std::span<const DualTriangle> triangles,

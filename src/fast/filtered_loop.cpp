@@ -18,7 +18,7 @@ GrowthBudget::GrowthBudget(const FastDual& dual, const SimplifyOptions& options)
   Interval<double> measure{};
   const CostMeasure limited = options_.growth_measure();
   if (limited == CostMeasure::Volume) {
-    const CostBounds<double> six_times = six_times_volume(dual);
+    const Interval<double> six_times = six_times_volume(dual);
     measure = {next_below(six_times.lower / 6), next_above(six_times.upper / 6)};
   } else {
     measure = scaled_enclosure(exact_measure(dual, dual.triangles(), limited),

@@ -94,8 +94,7 @@ class FloatLoop {
   template <class Number>
   void enclose(HalfspaceId i, const CostEstimate<Number>& cap, bool is_right);
   bool is_unbounded_by_signs() const;
-  Scalar scaled_measure();
-  Scalar six_times_volume();
+  Scalar scaled_measure() const;
   std::optional<HalfspaceId> choose();
   bool collect_tie(HalfspaceId top);
   void remove(HalfspaceId i);

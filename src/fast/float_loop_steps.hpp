@@ -262,28 +262,13 @@ bool FloatLoop<Arithmetic>::collect_tie(HalfspaceId top) {
   return true;
 }
 
-// Of the initial solid.
+// Of the initial solid. Not more than it is, so that the growth limit is kept.
 template <class Arithmetic>
-typename FloatLoop<Arithmetic>::Scalar FloatLoop<Arithmetic>::scaled_measure() {
-  if (!metric_) return six_times_volume();
+typename FloatLoop<Arithmetic>::Scalar FloatLoop<Arithmetic>::scaled_measure() const {
+  if (!metric_) return Scalar(six_times_volume(dual_).lower);
   const Cost exact = exact_measure(dual_, dual_.triangles(), options_.cost);
   const double measure = scaled_enclosure(exact, dual_.cost_exponent(options_.cost)).lower;
   return Scalar(measure * cost_multiple(options_.cost).lower);
-}
-
-// Of the initial solid; its lower bound if some D is doubtful, so that the growth limit is kept.
-template <class Arithmetic>
-typename FloatLoop<Arithmetic>::Scalar FloatLoop<Arithmetic>::six_times_volume() {
-  typename IntervalDeterminants<Scalar>::Sum sum;
-  bool certain = true;
-  for (std::size_t i = 0; i < dual_.size(); ++i) {
-    prepare(HalfspaceId(i));
-    IntervalDeterminants<Scalar> determinants(cap_.geometry(), arithmetic_.unit());
-    add_cone(static_cast<std::uint32_t>(ring_.vertices.size()), determinants, sum);
-    certain = certain && determinants.is_certain();
-  }
-  const auto& [lower, upper] = sum.total;
-  return certain ? (lower + upper) / Scalar(2.0) : lower;
 }
 
 template <class Arithmetic>

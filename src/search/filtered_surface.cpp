@@ -54,8 +54,7 @@ class FilteredSurface : public ExchangeSurface {
   Interval<double> measure_bounds() override {
     if (cap_.measure() != CostMeasure::Volume) return ExchangeSurface::measure_bounds();
     put_back();
-    const CostBounds<double> bounds = six_times_volume(dual_, mesh_);
-    return {bounds.lower, bounds.upper};
+    return six_times_volume(dual_, mesh_);
   }
   std::vector<DualTriangle> triangles() override {
     put_back();

@@ -36,7 +36,7 @@ FAULTS = [
     (CONSTANT, 'fast/lift', 'value - Scalar(error);', 'value - Scalar(error / 16);', _CAPS),
     (CONSTANT, 'fast/lift', 'value + Scalar(error)}', 'value + Scalar(error / 16)}', _CAPS),
     (CONSTANT, 'fast/positive', '(sides.size, unit_).determinant)', '(sides.size, unit_).determinant / 16)', _CAPS),
-    (CONSTANT, 'fast/six_times_volume', 'const double slop = 2 * (16', 'const double slop = 0.125 * (16', _AGREE),
+    (CONSTANT, 'fast/cones_in_doubles', 'const double slop = 2 * (16', 'const double slop = 0.125 * (16', _AGREE),
     (CONSTANT, 'near/kNearError', 'kNearError = 8 * kUnitRoundoff', 'kNearError = 0.5 * kUnitRoundoff', 'hull'),
     (CONSTANT, 'near/kSlope', 'kSlope = 512 *', 'kSlope = 32 *', 'hull'),
     (CONSTANT, 'near/kIntercept', 'kIntercept = 8192 *', 'kIntercept = 512 *', 'hull'),
