@@ -4,8 +4,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <optional>
+#include <utility>
+#include <vector>
 
 #include "convexact/error.hpp"
 #include "convexact/linear_program.hpp"
@@ -80,6 +83,44 @@ long largest_exponent_of(const CenteredSolid& solid) {
   return largest.value();
 }
 
+// The nearest of some vertices, up to rounding, by their order along one direction. A symmetric
+// solid has many vertices at one height over a coordinate plane, but seldom over an oblique one.
+class NearestVertex {
+ public:
+  explicit NearestVertex(const std::vector<SeenVector>& vertices) : vertices_(vertices) {
+    for (std::size_t j = 0; j < vertices.size(); ++j)
+      order_.emplace_back(height(vertices[j].near), j);
+    std::sort(order_.begin(), order_.end());
+  }
+
+  // The first of several.
+  // @par Cost  A search in n heights, and those vertices that are nearer to p in height than the
+  //            nearest is to p.
+  std::size_t operator()(const Point& p) const {
+    const double at_p = height(p);
+    auto above = std::lower_bound(order_.begin(), order_.end(), std::pair(at_p, std::size_t{0}));
+    auto below = above;
+    std::size_t best = 0;
+    double least = kInfinite;
+    for (;;) {
+      const double up = above == order_.end() ? kInfinite : above->first - at_p,
+                   down = below == order_.begin() ? kInfinite : at_p - std::prev(below)->first;
+      const double gap = std::min(up, down);
+      if (gap == kInfinite || gap * gap > least) return best;
+      const std::size_t j = up <= down ? (above++)->second : (--below)->second;
+      const double distance = (vertices_[j].near - p).squaredNorm();
+      if (distance < least || (distance == least && j < best)) least = distance, best = j;
+    }
+  }
+
+ private:
+  static constexpr double kInfinite = std::numeric_limits<double>::infinity();
+  static double height(const Point& p) { return Point(0.48, 0.6, 0.64).dot(p); }  // a unit vector
+
+  const std::vector<SeenVector>& vertices_;
+  std::vector<std::pair<double, std::size_t>> order_;
+};
+
 // Doubles around a number.
 struct Bounds {
   double low = 0, high = 0;
@@ -88,7 +129,8 @@ struct Bounds {
 // Bounds max over the vertices of `from` of the distance to `to`.
 class OneSidedBound {
  public:
-  OneSidedBound(const CenteredSolid& from, const CenteredSolid& to) : from_(from), to_(to) {}
+  OneSidedBound(const CenteredSolid& from, const CenteredSolid& to)
+      : from_(from), to_(to), nearest_vertex_(to.vertices) {}
 
   // Most vertices are certainly nearer than another one; exact numbers are for the others.
   Rational squared() const {
@@ -120,7 +162,7 @@ class OneSidedBound {
   std::vector<Candidate> by_reach() const {
     std::vector<Candidate> all;
     for (std::size_t i = 0; i < from_.vertices.size(); ++i) {
-      const std::size_t j = nearest_vertex(from_.vertices[i].near);
+      const std::size_t j = nearest_vertex_(from_.vertices[i].near);
       EnclosedVector way = from_.vertices[i].enclosed;
       for (std::size_t k = 0; k < 3; ++k) way[k] -= to_.vertices[j].enclosed[k];
       const Enclosure squared = dot(way, way);
@@ -134,17 +176,6 @@ class OneSidedBound {
 
   Rational squared_reach(const Candidate& c) const {
     return squared_norm(from_.vertices[c.vertex].exact - to_.vertices[c.nearest].exact);
-  }
-
-  // A good guess is enough: the distance to any vertex is an upper bound.
-  std::size_t nearest_vertex(const Point& p) const {
-    std::size_t best = 0;
-    double least = std::numeric_limits<double>::infinity();
-    for (std::size_t j = 0; j < to_.vertices.size(); ++j) {
-      const double distance = (to_.vertices[j].near - p).squaredNorm();
-      if (distance < least) least = distance, best = j;
-    }
-    return best;
   }
 
   // With g = max over the planes of polar.v the point v/g is in the solid, and v is if g <= 1.
@@ -200,6 +231,7 @@ class OneSidedBound {
 
   const CenteredSolid& from_;
   const CenteredSolid& to_;
+  NearestVertex nearest_vertex_;  // a guess is enough: that to any vertex is an upper bound
 };
 
 // sqrt(x) rounded up: the square root of a double is within half an ulp.

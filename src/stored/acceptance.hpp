@@ -32,8 +32,8 @@ namespace convexact::stored {
 /// almost flat.
 /// @param center   Strictly inside both.
 /// @param squared_diameter  Of the input; positive.
-/// @par Cost  A double distance for each pair of vertices; enclosures for a few planes of each
-/// vertex that may be the farthest, and exact numbers for those that these leave.
+/// @par Cost  n log n for n vertices where both solids have nearly the same; enclosures for a few
+/// planes of each vertex that may be the farthest, and exact numbers for those that these leave.
 [[nodiscard]] Growth growth(const Polytope& exact, const Polytope& stored,
                             const RationalPoint& center, const Rational& squared_diameter);
 

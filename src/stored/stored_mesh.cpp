@@ -10,20 +10,26 @@
 namespace convexact {
 namespace {
 
-// center + (1 + factor)(v - center) to nearest; exact until the one rounding.
-std::vector<Point> round_vertices(const Polytope& exact, const RationalPoint& center, double factor,
-                                  Precision precision) {
-  const Rational scale = 1 + to_rational(factor);
+std::vector<Point> round_vertices(std::span<const RationalPoint> vertices, Precision precision) {
   std::vector<Point> rounded;
-  rounded.reserve(exact.vertices.size());
-  for (const RationalPoint& v : exact.vertices) {
-    const RationalPoint target = center + (v - center) * scale;
+  rounded.reserve(vertices.size());
+  for (const RationalPoint& v : vertices) {
     Point p;
-    for (int k = 0; k < 3; ++k) p[k] = round_to(precision, target[k], Rounding::Nearest);
+    for (int k = 0; k < 3; ++k) p[k] = round_to(precision, v[k], Rounding::Nearest);
     if (!p.allFinite()) stored::refuse(precision, "a vertex is beyond its largest number");
     rounded.push_back(p);
   }
   return rounded;
+}
+
+// center + (1 + factor)(v - center), exactly.
+std::vector<RationalPoint> scaled_vertices(const Polytope& exact, const RationalPoint& center,
+                                           double factor) {
+  const Rational scale = 1 + to_rational(factor);
+  std::vector<RationalPoint> scaled;
+  scaled.reserve(exact.vertices.size());
+  for (const RationalPoint& v : exact.vertices) scaled.push_back(center + (v - center) * scale);
+  return scaled;
 }
 
 // A rung that holds the witnesses.
@@ -43,14 +49,28 @@ std::optional<Rung> try_rung(std::vector<Point> vertices, const PointSet& witnes
   return Rung{std::move(points), std::move(hull), std::move(halfspaces)};
 }
 
-Rung climb(const Polytope& exact, const PointSet& witnesses, const RationalPoint& center,
+Rung climb(const Polytope& exact, const PointSet& input, std::span<const PointId> ids,
            Precision precision) {
+  const PointSet witnesses = subset(input, ids);
+  if (auto rung = try_rung(round_vertices(exact.vertices, precision), witnesses)) {
+    return std::move(*rung);
+  }
+  const RationalPoint center = stored::interior_point(input, ids, exact.planes);
   const double unit = std::ldexp(1.0, 1 - significand_bits(precision));
-  for (double factor = 0; factor <= 1; factor = factor == 0 ? unit : 2 * factor) {
-    auto rung = try_rung(round_vertices(exact, center, factor, precision), witnesses);
+  for (double factor = unit; factor <= 1; factor *= 2) {
+    auto rung =
+        try_rung(round_vertices(scaled_vertices(exact, center, factor), precision), witnesses);
     if (rung) return std::move(*rung);
   }
   stored::refuse(precision, "no scaling of the vertices up to twofold holds the input");
+}
+
+// Whether rounding has changed no vertex: then the rung is the hull of the exact ones.
+bool is_unchanged(const Rung& rung, const Polytope& exact) {
+  for (std::size_t i = 0; i < exact.vertices.size(); ++i) {
+    if (to_rational(rung.points.doubles()[i]) != exact.vertices[i]) return false;
+  }
+  return true;
 }
 
 // Only the extreme points, numbered in their order.
@@ -76,12 +96,15 @@ StoredMesh store_mesh(const Polytope& exact, const PointSet& input,
                       std::span<const PointId> witnesses, Precision precision) {
   StoredMesh stored;
   stored.precision = precision;
-  const RationalPoint center = stored::interior_point(input, witnesses, exact.planes);
-  const Rung rung = climb(exact, subset(input, witnesses), center, precision);
+  const Rung rung = climb(exact, input, witnesses, precision);
   stored.mesh = to_mesh(rung);
-  stored.violations = stored::final_pass(rung.halfspaces, input);
-  const Polytope polytope = to_polytope(rung.hull, rung.points);
-  stored.growth = stored::checked_growth(exact, polytope, input, witnesses, precision);
+  // A rung was tested against all witnesses, which may be all points.
+  const bool is_tested = witnesses.size() == input.size();
+  stored.violations = is_tested ? 0 : stored::final_pass(rung.halfspaces, input);
+  if (!is_unchanged(rung, exact)) {
+    const Polytope polytope = to_polytope(rung.hull, rung.points);
+    stored.growth = stored::checked_growth(exact, polytope, input, witnesses, precision);
+  }
   return stored;
 }
 

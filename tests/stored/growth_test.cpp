@@ -119,3 +119,36 @@ TEST_CASE("growth: never below the exact distance, and near it") {
     CHECK(bound * bound <= 4 * squared);
   }
 }
+
+// Every vertex is as far from its copy as the solid was moved. Of a needle's tips the way in is
+// much longer, so a copy that is not found would show; and vertices are sought in their order along
+// (0.48, 0.6, 0.64), so needles across it are the hard ones: many vertices are at nearly one
+// height.
+TEST_CASE("growth: a solid that was moved is no farther than that") {
+  std::vector<Point> across = shapes::in_ball(300, 7);
+  for (Point& p : across) {
+    p = 1024 * p.x() * Point(0.6, -0.48, 0) + p.y() * Point(0.3072, 0.384, -0.5904) +
+        p.z() * Point(0.48, 0.6, 0.64);
+  }
+  const std::vector<std::vector<Point>> shapes = {across, shapes::in_ball(300, 7),
+                                                  shapes::box({1024, 1, 1}), shapes::prism(40)};
+  const std::vector<Point> moves = {{1, 0, 0},       {0, 1, 0},    {0, 0, 1},
+                                    {0.6, -0.48, 0}, {-1, -1, -1}, {0.48, 0.6, 0.64}};
+  for (const std::vector<Point>& points : shapes) {
+    for (const Point& move : moves) {
+      for (const double length : {0x1p-20, 0x1p-4}) {
+        const RationalVector3 step = to_rational(Point(length * move));
+        const Polytope solid = hull_of(points);
+        Polytope moved = solid;
+        for (RationalPoint& v : moved.vertices) v += step;
+        for (Halfspace& h : moved.planes) {
+          const RationalVector3 normal = h.normal().cast<Rational>();
+          h = Halfspace(normal, Rational(h.offset() - normal.dot(step)));
+        }
+        const Rational bound = to_rational(growth(solid, moved, kOrigin, Rational(1)).push);
+        CHECK(bound > 0);
+        CHECK(bound * bound <= step.squaredNorm() * (1 + Rational(1, Integer(1) << 40)));
+      }
+    }
+  }
+}
