@@ -9,11 +9,14 @@
 #include <vector>
 
 #include "convexact/hull.hpp"
+#include "convexact/io.hpp"
 #include "convexact/measure.hpp"
 #include "fast/cap.hpp"
 #include "fast/dual.hpp"
+#include "fast/engines.hpp"
 #include "fast/filtered_loop.hpp"
 #include "number/arithmetic.hpp"
+#include "process.hpp"
 #include "shapes/makers.hpp"
 
 using namespace convexact;
@@ -68,5 +71,30 @@ TEST_CASE("a limit of growth on a rounded box is decided without exact measures"
     const double all =
         to_double(scale_by_power_of_two(box - before, -dual.volume_exponent()), Rounding::Nearest);
     CHECK(growth.allows({all, all}) == is_enough);
+  }
+}
+
+// Once it was not: on the teapot 2% became 2.075%, on another mesh 175%.
+TEST_CASE("a limit of growth is kept by the float engine, as far as the filtered one goes") {
+  std::vector<NamedPoints> all = shapes_to_measure();
+  const PointSet teapot = read_mesh(support::data("teapot.obj")).points;
+  all.push_back({"teapot", {teapot.doubles().begin(), teapot.doubles().end()}});
+  for (const auto& [name, list] : all) {
+    CAPTURE(name);
+    const PointSet points(list);
+    const Hull hull = std::get<Hull>(convex_hull(points));
+    const FastDual dual = FastDual::of(hull, points);
+    SimplifyOptions options;
+    options.faces = 4;
+    options.max_growth = Rational(Integer(1), Integer(50));
+    const Rational before = volume(hull, points);
+    const auto volume_after = [&](const FastResult& result) {
+      return exact_measure(dual, result.triangles, CostMeasure::Volume).rational();
+    };
+    const Rational by_float = volume_after(simplify_float(dual, options));
+    CHECK(by_float <= before * (1 + *options.max_growth));
+    // The order among ties may differ, and with it what the last steps add.
+    const Rational by_filtered = volume_after(simplify_filtered(dual, options));
+    CHECK(by_float - before >= (by_filtered - before) * Rational(Integer(3), Integer(4)));
   }
 }
