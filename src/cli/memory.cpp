@@ -73,7 +73,15 @@ struct AtThreadEnd {
 };
 thread_local AtThreadEnd at_thread_end;
 
-bool is_small(std::size_t size) { return kSparesBlocks && size <= SpareBlocks::kLargest; }
+bool is_small(std::size_t size) {
+  return kSparesBlocks && size > 0 && size <= SpareBlocks::kLargest;
+}
+
+// Whether a block of that size can serve its list. Those of numbers that were made before the
+// functions below were installed may be shorter.
+bool is_whole(void* block, std::size_t size) {
+  return is_small(size) && malloc_usable_size(block) >= SpareBlocks::rounded(size);
+}
 
 void* allocate(std::size_t size) {
   if (is_small(size)) {
@@ -87,7 +95,7 @@ void* allocate(std::size_t size) {
 }
 
 void release(void* block, std::size_t size) {
-  if (is_small(size)) {
+  if (is_whole(block, size)) {
     at_thread_end.is_awaited = true;  // an object of a thread begins, and so ends, by its first use
     if (spare_blocks.keep(block, size)) return;
   }
@@ -106,7 +114,7 @@ void* reallocate_large(void* old, std::size_t size) {
 
 void* reallocate(void* old, std::size_t old_size, std::size_t size) {
   if (!is_small(old_size) && !is_small(size)) return reallocate_large(old, size);
-  if (SpareBlocks::are_alike(old_size, size)) return old;
+  if (is_whole(old, old_size) && SpareBlocks::are_alike(old_size, size)) return old;
   void* block = allocate(size);
   std::memcpy(block, old, std::min(old_size, size));
   release(old, old_size);

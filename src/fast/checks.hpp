@@ -27,7 +27,7 @@ class StepCheck {
       : dual_(dual), signs_(dual), position_(dual.size(), kNotInRing) {}
 
   /// @throws Error Internal, naming the check that failed.
-  /// @par Cost     3 k signs for a ring of k.
+  /// @par Cost     4 k signs for a ring of k.
   void check(const ClaimedStep& step);
 
  private:
