@@ -41,9 +41,9 @@ std::vector<NamedPoints> shapes_to_measure() {
 }  // namespace
 
 TEST_CASE("six_times_volume: encloses the volume of the hull, to a millionth") {
-  for (const auto& [name, list] : shapes_to_measure()) {
-    CAPTURE(name);
-    const PointSet points(list);
+  for (const NamedPoints& shape : shapes_to_measure()) {
+    CAPTURE(shape.name);
+    const PointSet points(shape.points);
     const Hull hull = std::get<Hull>(convex_hull(points));
     const FastDual dual = FastDual::of(hull, points);
     const Interval<double> bounds = six_times_volume(dual);
@@ -79,9 +79,9 @@ TEST_CASE("a limit of growth is kept by the float engine, as far as the filtered
   std::vector<NamedPoints> all = shapes_to_measure();
   const PointSet teapot = read_mesh(support::data("teapot.obj")).points;
   all.push_back({"teapot", {teapot.doubles().begin(), teapot.doubles().end()}});
-  for (const auto& [name, list] : all) {
-    CAPTURE(name);
-    const PointSet points(list);
+  for (const NamedPoints& shape : all) {
+    CAPTURE(shape.name);
+    const PointSet points(shape.points);
     const Hull hull = std::get<Hull>(convex_hull(points));
     const FastDual dual = FastDual::of(hull, points);
     SimplifyOptions options;
